@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/scene/tools/tool_kinds.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -34,12 +35,17 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
     return nearest;
 }
 
-// Relative to the viewing direction.
-std::string way_to_mark(const std::string& number, double deeper_mm, double away_mm) {
+// Relative to the viewing direction; empty where the way leads mostly across the picture.
+std::string way_in_depth(const Vec3& way_mm, const Vec3& forward) {
     constexpr double hardly = 0.5;  // share of the whole distance
-    const std::string to = number.empty() ? " to the mark" : " to mark " + number;
-    if (std::abs(deeper_mm) < hardly * away_mm) return to;
-    return to + (deeper_mm > 0.0 ? ", move away from you" : ", move towards you");
+    const double deeper_mm = way_mm.dot(forward);
+    if (std::abs(deeper_mm) < hardly * way_mm.norm()) return {};
+    return deeper_mm > 0.0 ? " move away from you" : " move towards you";
+}
+
+// Half of the widest opening of jaws: what is nearer to their middle lies between them.
+double reach_of_jaws_mm(const ToolView& jaws) {
+    return 0.5 * jaws_open_to_radii * jaws.parts.front().radius_mm;
 }
 
 // The nearest mark that the present step asks for, or of all that are not reached where it asks for
@@ -83,10 +89,14 @@ void DepthStem::set_colour(const Colour& colour) {
 
 // With the decimals of the lesson's panel, so that no bound looks reached before it is.
 std::string DepthStem::words_of(const Vec3& forward) const {
-    if (between_jaws_)
-        return (mark_->empty() ? "the mark" : "mark " + *mark_) + " is between the jaws";
+    const std::string mark = !mark_ ? "" : mark_->empty() ? "the mark" : "mark " + *mark_;
+    if (between_jaws_) return mark + " is between the jaws";
     const std::string away = fixed_text(away_mm_, mark_ ? 1 : 0) + " mm";
-    return mark_ ? away + way_to_mark(*mark_, (end_mm_ - from_mm_).dot(forward), away_mm_) : away;
+    const std::string way = way_in_depth(end_mm_ - from_mm_, forward);
+    if (closed_beside_)
+        return "closed " + away + " beside " + mark + ": open with C" +
+               (way.empty() ? "" : " and" + way);
+    return away + (mark_ ? " to " + mark : "") + (way.empty() ? "" : "," + way);
 }
 
 void DepthStem::place(double pixel_ratio, const Vec3& forward,
@@ -109,7 +119,7 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     const bool jaws = tool && tool->has_jaws();
     const Vec3 from = jaws ? tool->working_mm() : tool ? tool->tip_mm : Vec3(Vec3::Zero());
     const bool free = tool && !tool->parts.empty() && tool->touched.empty();
-    if (free || (jaws && tool->grip_un <= 0.0)) mark = nearest_waiting(from, marks);
+    if (free || jaws) mark = nearest_waiting(from, marks);
     if (free || mark != nullptr) {
         end = mark != nullptr ? mark->place_mm : nearest_to(from, positions_mm);
         away_mm = (end - from).norm();
@@ -117,15 +127,20 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
         // sphere around it.
         if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }
-    const bool between = jaws && mark != nullptr && away_mm <= 0.5 * tool->opening_mm;
+    const bool at_mark = jaws && mark != nullptr;
+    const bool closed = at_mark && tool->closing;
+    const bool between = at_mark && !closed && away_mm <= 0.5 * tool->opening_mm;
+    const bool held = closed && away_mm <= reach_of_jaws_mm(*tool);
     const bool shows =
-        between || (away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm));
+        !held &&
+        (between || (away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm)));
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
     const bool moved = !shown || from != from_mm_ || end != end_mm_;
     from_mm_ = from;
     end_mm_ = end;
     between_jaws_ = between;
+    closed_beside_ = closed;
     away_mm_ = away_mm;
     mark_ = mark != nullptr ? std::optional(mark->number) : std::nullopt;
     const std::string text = words_of(forward);

@@ -37,9 +37,10 @@ class DepthStem {
     void set_colour(const Colour& colour);  // of the line; palette::tool by default
     // `positions_mm`: x, y, z of each vertex of the vessels' surface. Costs one pass over them
     // while a tool is present and no mark is waiting, and nothing without a tool. Only tools that
-    // touch nothing have a line, and jaws that hold nothing yet where a mark is waiting: what they
-    // touch on their way may be another vessel. `forward`: unit vector into the picture, by which
-    // the label says whether a mark lies deeper or nearer. Returns true if the picture changed.
+    // touch nothing have a line, and jaws where a mark is waiting: what they touch on their way may
+    // be another vessel. Jaws that close with the mark between them have none; others say that they
+    // closed beside it. `forward`: unit vector into the picture, by which the label says whether
+    // the line's end lies deeper or nearer. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number, and says anew whether the mark lies deeper, since the view may have been
@@ -60,7 +61,8 @@ class DepthStem {
     Vec3 from_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();
     std::optional<std::string> mark_;  // number of the mark at the end; none: no mark is there
     double away_mm_ = 0.0;
-    bool between_jaws_ = false;  // the mark is
+    bool between_jaws_ = false;   // the mark is
+    bool closed_beside_ = false;  // the jaws closed with the mark beside them
     std::string text_;
     FigureLabel label_;
 };

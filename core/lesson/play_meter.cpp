@@ -54,6 +54,11 @@ bool is_touched(const Frame& frame, const std::vector<int>& vertices) {
     });
 }
 
+// Jaws touch with all of their length: what they are to hold belongs between them.
+Vec3 place_of_touch(const ToolView& tool) {
+    return tool.has_jaws() ? tool.working_mm() : tool.at_mm;
+}
+
 // Each vascular system is one, for example.
 int pieces_of(const TetMesh& mesh) {
     DisjointSets sets(mesh.vertices_mm.size());
@@ -191,7 +196,7 @@ void PlayMeter::see_marks(const Frame& frame) {
         // Touching the vessel at the mark counts as distance 0, whatever its thickness and the
         // tool.
         if (touches && is_touched(frame, marks_[i])) mark.distance_mm = 0.0;
-        mark.touch_mm = touches      ? (frame.tool->at_mm - place).norm()
+        mark.touch_mm = touches      ? (place_of_touch(*frame.tool) - place).norm()
                         : frame.grab ? (frame.grab->point_mm - place).norm()
                                      : far;
     }

@@ -41,10 +41,11 @@ struct ToolView {
     Vec3 centre_mm = Vec3::Zero();  // about which it turns
     Vec3 tip_mm = Vec3::Zero();     // the mean of its parts' far ends
     double opening_mm = 0.0;        // of the jaws
+    bool closing = false;           // the jaws are commanded to be less than wide open
     Vec3 force_un = Vec3::Zero();   // of vessels and obstacles on the tool
     std::optional<double> felt_un;  // mean of |force_un|, see FeltForce; none: outside a play
     Vec3 at_mm = Vec3::Zero();      // force-weighted mean of its contacts
-    double grip_un = 0.0;           // pressing the jaws apart
+    double grip_un = 0.0;           // pressing the jaws apart; 0 where they do not close
     bool at_limit = false;          // near its force limit, where it neither moves on nor closes
     std::vector<int> touched;       // vertices of the touched triangles, ascending
     double shown_un() const { return felt_un.value_or(force_un.norm()); }

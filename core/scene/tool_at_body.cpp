@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/contact/capsule.h"
+#include "core/scene/tools/tool_choice.h"
 
 namespace hepatica {
 
@@ -66,7 +67,10 @@ ToolView view_of(const Tool& tool, const ToolLoad& load) {
     view.opening_mm = tool.opening_mm;
     view.force_un = load.force_un;
     view.at_mm = load.at_mm;
-    view.grip_un = load.grip_un;
+    constexpr double rounding_mm = 1e-9;
+    view.closing = tool.opening_target_mm < widest_opening_mm(tool) - rounding_mm;
+    // What open jaws touch on their way is not held.
+    view.grip_un = view.closing ? load.grip_un : 0.0;
     view.at_limit =
         std::max(load.force_un.norm(), load.grip_un) >= at_limit_share * tool.force_limit_un;
     view.touched = load.touched;

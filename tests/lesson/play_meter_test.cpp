@@ -111,6 +111,26 @@ TEST(PlayMeter, AMarkIsInTheMiddleOfItsVesselAndMovesWithIt) {
     EXPECT_TRUE(std::isinf(meter.moment().marks[0].touch_mm)) << "it touches nothing";
 }
 
+// Where jaws touch is that of whichever vessel lies in their way.
+TEST(PlayMeter, AMarksDistanceOfTheTouchIsThatOfTheMiddleOfJaws) {
+    Lesson lesson = plain_lesson();
+    lesson.marks.push_back({"mark", {.share_of_longest_path = 0.5}});
+    const Vec3 mark = PlayMeter(lesson, small_patient()).marks_in(rest_frame())[0];
+    Frame touching = with_tip(mark + Vec3(0, 5, 0));
+    ToolView& tool = *touching.tool;
+    tool.touched = {0};
+    tool.at_mm = mark + Vec3(0, 0, 30);
+    const auto touch_mm = [&] { return meter_of({touching}, lesson).moment().marks[0].touch_mm; };
+    tool.parts = {{tool.tip_mm - Vec3(0, 20, 0), tool.tip_mm, 1.0}};
+    EXPECT_NEAR(touch_mm(), 30.0, 1e-3) << "a rod";
+    const Vec3 aside(4, 0, 0), along(0, 12, 0);
+    tool.parts = {{tool.tip_mm - aside - along, tool.tip_mm - aside, 1.0},
+                  {tool.tip_mm + aside - along, tool.tip_mm + aside, 1.0}};
+    EXPECT_NEAR(touch_mm(), 2.0, 1e-3) << "a quarter of their length from their tips";
+    tool.touched.clear();
+    EXPECT_TRUE(std::isinf(touch_mm()));
+}
+
 // A segment far off has no vertices of its own.
 TEST(PlayMeter, AMarkOnASegmentWithoutSurfaceIsAtTheNearestVertex) {
     auto patient = std::make_shared<PatientCase>(*small_patient());

@@ -153,7 +153,9 @@ TEST_F(MarksAndMeasures, a_mark_without_a_number_is_as_large_as_one_with_a_numbe
 TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_whether_deeper) {
     std::string last;
     view_.set_words([&](const std::string& english) {
-        if (english.ends_with("mm") || english.find("mark") != std::string::npos) last = english;
+        for (const char* part : {"mm", "mark", "from you", "towards you"})
+            if (english.ends_with(part) || english.find("mark") != std::string::npos)
+                last = english;
         return english;
     });
     Frame frame = fake_frame();
@@ -182,15 +184,43 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     const MarkView asked{tip + 33.5 * axes.right, "1", false, true, true};
     EXPECT_EQ(said({asked, {tip + 16.0 * axes.right, "2", false}}), "33.5 mm to mark 1");
     const std::string vessel = said({{tip + 12.0 * axes.right, "", true}});
-    EXPECT_TRUE(vessel.ends_with(" mm")) << "it is done with: " << vessel;
+    EXPECT_NE(vessel.find(" mm"), std::string::npos) << "of a vessel";
+    EXPECT_EQ(vessel.find("mark"), std::string::npos) << "it is done with: " << vessel;
     const Picture near_vessel = picture();
     said({{tip + 12.0 * axes.forward + 5.0 * axes.up, "", false}});
     EXPECT_FALSE(look_alike(picture(), near_vessel));
 }
 
+TEST_F(MarksAndMeasures, a_number_beside_the_vessels_says_whether_they_lie_before_or_behind) {
+    std::string last;
+    view_.set_words([&](const std::string& english) {
+        if (english.find(" mm, move") != std::string::npos) last = english;
+        return english;
+    });
+    Frame frame = fake_frame();
+    view_.show(frame);
+    const Vec3 forward = view_.axes().forward;
+    Vec3 nearest = frame.place_mm(0), farthest = nearest;  // to the user
+    for (int v = 0; 3 * static_cast<std::size_t>(v) < frame.positions_mm.size(); ++v) {
+        const Vec3 place = frame.place_mm(v);
+        if (place.dot(forward) < nearest.dot(forward)) nearest = place;
+        if (place.dot(forward) > farthest.dot(forward)) farthest = place;
+    }
+    const auto said_at = [&](const Vec3& tip) {
+        last.clear();
+        frame.tool.emplace();
+        frame.tool->parts = {{tip, tip, 2.0}};
+        frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
+        view_.show(frame);
+        return last;
+    };
+    EXPECT_EQ(said_at(nearest - 12.0 * forward), "10 mm, move away from you");
+    EXPECT_EQ(said_at(farthest + 12.0 * forward), "10 mm, move towards you");
+}
+
 // Jaws touch other vessels on their way to the one that they are to hold; of them the middle
 // counts.
-TEST_F(MarksAndMeasures, jaws_are_led_by_their_middle_until_the_mark_is_between_them_and_held) {
+TEST_F(MarksAndMeasures, jaws_are_led_by_their_middle_until_they_close_and_say_where_they_closed) {
     std::string last;
     view_.set_words([&](const std::string& english) {
         if (english.find("mark") != std::string::npos) last = english;
@@ -222,10 +252,19 @@ TEST_F(MarksAndMeasures, jaws_are_led_by_their_middle_until_the_mark_is_between_
     EXPECT_EQ(said({{middle + 6.5 * axes.right, "", false}}), "6.5 mm to the mark");
     EXPECT_EQ(said({{middle + 5.5 * axes.right, "", false}}), "the mark is between the jaws");
     EXPECT_EQ(said({{middle, "2", false}}), "mark 2 is between the jaws");
-    forceps.grip_un = 5e3;
+    forceps.closing = true;
+    forceps.opening_mm = 3.0;
     view_.show(frame);
     EXPECT_EQ(said({{middle + 5.5 * axes.right, "", false}}), "") << "it is held";
+    EXPECT_EQ(said({{middle + 6.5 * axes.right, "", false}}),
+              "closed 6.5 mm beside the mark: open with C");
+    EXPECT_EQ(said(deeper), "closed 13.0 mm beside the mark: open with C and move away from you");
+    forceps.grip_un = 5e3;
+    EXPECT_EQ(said({{middle - 9.0 * axes.forward, "2", false}}),
+              "closed 9.0 mm beside mark 2: open with C and move towards you")
+        << "whatever else they hold";
     // A probe that touches something has arrived.
+    forceps.closing = false;
     forceps.grip_un = 0.0;
     forceps.parts.pop_back();
     EXPECT_EQ(said(deeper), "");

@@ -173,6 +173,7 @@ TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
     ASSERT_EQ(deform.tool()->parts.size(), 2u);
     EXPECT_EQ(deform.tool()->opening_mm, 9.0);
     EXPECT_FALSE(session->frame().tool->at_limit);
+    EXPECT_FALSE(session->frame().tool->closing);
     for (int i = 0; i < 30; ++i) {
         session->post(CloseForceps{1.0 / (30 - i)});
         session->step();
@@ -181,6 +182,8 @@ TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
     EXPECT_GT(held.deform.tool.grip_un, 100.0);
     session->update_frame();
     EXPECT_TRUE(session->frame().tool->at_limit) << "a vessel is softer than jaws";
+    EXPECT_TRUE(session->frame().tool->closing);
+    EXPECT_GT(session->frame().tool->grip_un, 100.0);
     EXPECT_LT(deform.tool()->opening_mm, 2.0 * 4.0);
     const auto nearest = [&] {
         int best = 0;
@@ -200,6 +203,9 @@ TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
     EXPECT_LT(lifted.deform.tool.force_un.dot(from), 0.0);
     session->post(OpenForceps{});
     session->step();
+    session->update_frame();
+    EXPECT_FALSE(session->frame().tool->closing);
+    EXPECT_EQ(session->frame().tool->grip_un, 0.0) << "open jaws hold nothing";
     EXPECT_EQ(play(*session, 30).deform.tool.grip_un, 0.0);
     test::expect_to_play_again(*session, *recording, {});
 }
