@@ -134,7 +134,8 @@ void ToolHand::follow(const std::optional<ToolView>& tool) {
         depth_asked_mm_ = 0.0;
     }
     if (!tool || kind_ != "forceps") return;
-    if (const auto seen = grip_.see(*tool, closed_); seen != GripWatch::Seen::nothing_new)
+    const GripWatch::Seen seen = grip_.see(*tool, closed_);
+    if (seen == GripWatch::Seen::closed_on_nothing || seen == GripWatch::Seen::slipped)
         on_empty_grip(seen);
 }
 

@@ -11,10 +11,10 @@
 #include <optional>
 #include <string>
 
+#include "core/scene/grip_watch.h"
 #include "core/session/command.h"
 #include "core/session/hand_pace.h"
 #include "render/scene_view.h"
-#include "ui/grip_watch.h"
 
 namespace hepatica {
 

@@ -20,13 +20,6 @@ struct Words {
 // The text of commands that appear on the time line. Motions of the hand and of tools do not: they
 // come with every step.
 struct WordsOfCommand {
-    std::optional<Words> operator()(const AddTool& tool) const {
-        const std::string name = tool.kind == "sphere"    ? "Probe"
-                                 : tool.kind == "capsule" ? "Rod probe"
-                                 : tool.kind == "hook"    ? "Hook"
-                                                          : "Forceps";
-        return Words{PlayEventKind::tool, name + " taken"};
-    }
     std::optional<Words> operator()(const RemoveTool&) const {
         return Words{PlayEventKind::tool, "Tool put away"};
     }
@@ -109,6 +102,7 @@ std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> com
     by_blade_ = false;
     if (!begun_ && frame.tear) tear_ = *frame.tear;  // tears before the first step are no events
     see_commands(commands, frame);
+    see_grip(frame);
     see_contact(frame, before_s);
     see_whether_it_tears(frame);
     see_trouble(frame);
@@ -122,11 +116,41 @@ void PlayEvents::see_commands(std::span<const Command> commands, const Frame& fr
         if (opens_hand(command) && std::exchange(held_, false)) note(PlayEventKind::hand, "Let go");
         const auto words = std::visit(WordsOfCommand{}, command);
         if (words) note(words->kind, words->text);
+        if (const auto* tool = std::get_if<AddTool>(&command)) see_tool(*tool);
+        if (std::holds_alternative<RemoveTool>(command)) in_hand_.clear();
         by_blade_ |= std::holds_alternative<Blade>(command);
     }
     // A click beside the vessel grabs nothing.
     if (frame.grab && !held_) note(PlayEventKind::hand, "Took hold");
     held_ = frame.grab.has_value();
+    if (!frame.tool) in_hand_.clear();
+}
+
+// The tool in hand may be brought again, to another place or in another size: that is no taking.
+void PlayEvents::see_tool(const AddTool& tool) {
+    grip_ = {};  // it comes with open jaws
+    if (std::exchange(in_hand_, tool.kind) == tool.kind) return;
+    const std::string name = tool.kind == "sphere"    ? "Probe"
+                             : tool.kind == "capsule" ? "Rod probe"
+                             : tool.kind == "hook"    ? "Hook"
+                                                      : "Forceps";
+    note(PlayEventKind::tool, name + " taken");
+}
+
+void PlayEvents::see_grip(const Frame& frame) {
+    if (!frame.tool || !frame.tool->has_jaws()) return;
+    switch (grip_.see(*frame.tool, frame.tool->closing)) {
+        case GripWatch::Seen::closed_on_something:
+            return note(PlayEventKind::tool, "Forceps closed: they hold something");
+        case GripWatch::Seen::closed_on_nothing:
+            return note(PlayEventKind::tool, "Forceps closed: they hold nothing");
+        case GripWatch::Seen::slipped:
+            return note(PlayEventKind::tool, "Slipped out of the forceps");
+        case GripWatch::Seen::opened:
+            return note(PlayEventKind::tool, "Forceps opened");
+        case GripWatch::Seen::nothing_new:
+            break;
+    }
 }
 
 void PlayEvents::see_contact(const Frame& frame, double before_s) {

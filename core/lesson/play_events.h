@@ -11,6 +11,7 @@
 
 #include "core/lesson/lesson_run.h"
 #include "core/scene/frame.h"
+#include "core/scene/grip_watch.h"
 #include "core/session/command.h"
 
 namespace hepatica {
@@ -53,6 +54,8 @@ class PlayEvents {
 
   private:
     void see_commands(std::span<const Command> commands, const Frame& frame);
+    void see_tool(const AddTool& tool);
+    void see_grip(const Frame& frame);
     void see_contact(const Frame& frame, double before_s);  // the time of the frame before
     void see_whether_it_tears(const Frame& frame);
     void see_tear(const TearView& now);
@@ -74,6 +77,8 @@ class PlayEvents {
     std::string message_;
     std::size_t lesson_step_ = 0;
     bool lesson_ended_ = false;
+    GripWatch grip_;
+    std::string in_hand_;  // the kind of the tool; empty: none
 };
 
 }  // namespace hepatica

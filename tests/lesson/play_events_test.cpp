@@ -117,6 +117,43 @@ TEST_F(PlayEventsTest, EveryToolHasItsName) {
     EXPECT_EQ(last_, PlayEventKind::tool);
 }
 
+// The window brings a tool again where it stopped beside the mouse, and by a click.
+TEST_F(PlayEventsTest, AToolThatIsBroughtAgainIsTakenOnce) {
+    const AddTool forceps{"forceps", 2.0, 30.0, Vec3::UnitZ(), Vec3::Zero(), {}};
+    frame_.tool = ToolView{};
+    EXPECT_THAT(see({forceps}), ElementsAre("Forceps taken"));
+    EXPECT_THAT(see({forceps, forceps}), IsEmpty());
+    EXPECT_THAT(see({AddTool{"hook", 2.0, 30.0, Vec3::UnitZ(), Vec3::Zero(), {}}}),
+                ElementsAre("Hook taken"));
+    EXPECT_THAT(see({RemoveTool{}, forceps}), ElementsAre("Tool put away", "Forceps taken"));
+    frame_.tool.reset();
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tool = ToolView{};
+    EXPECT_THAT(see({forceps}), ElementsAre("Forceps taken")) << "there was none any more";
+}
+
+TEST_F(PlayEventsTest, ForcepsCloseOnAVesselOrOnNothingAndOpen) {
+    ToolView& jaws = frame_.tool.emplace();
+    jaws.parts = {{Vec3::Zero(), Vec3(0, 0, 9), 1.0}, {Vec3(4, 0, 0), Vec3(4, 0, 9), 1.0}};
+    jaws.opening_mm = 6.0;
+    EXPECT_THAT(see(), IsEmpty());
+    jaws.closing = true;
+    jaws.opening_mm = 4.0;
+    EXPECT_THAT(see({CloseForceps{}}), IsEmpty()) << "they are on their way";
+    jaws.grip_un = 2e4;
+    EXPECT_THAT(see(), ElementsAre("Forceps closed: they hold something"));
+    EXPECT_EQ(last_, PlayEventKind::tool);
+    EXPECT_THAT(see(), IsEmpty());
+    jaws.grip_un = jaws.opening_mm = 0.0;
+    EXPECT_THAT(see(), ElementsAre("Slipped out of the forceps"));
+    jaws.closing = false;
+    jaws.opening_mm = 6.0;
+    EXPECT_THAT(see({OpenForceps{}}), ElementsAre("Forceps opened"));
+    jaws.closing = true;
+    jaws.opening_mm = 0.0;
+    EXPECT_THAT(see({CloseForceps{}}), ElementsAre("Forceps closed: they hold nothing"));
+}
+
 TEST_F(PlayEventsTest, DrugsCutsAndReturnsAreNamed) {
     EXPECT_THAT(see({InjectDrug{}, CutLine{}, Blade{}, RemoveDrug{}}),
                 ElementsAre("Injected", "Cut line drawn", "Blade drawn", "Drug taken out"));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of jaws that closed: that they hold nothing, or no longer do.
-#include "ui/grip_watch.h"
+// What is told of jaws that close and open: that they hold something, nothing, or no longer do.
+#include "core/scene/grip_watch.h"
 
 #include <gtest/gtest.h>
 
 namespace hepatica {
 namespace {
 
-TEST(GripWatch, TellsOfEachClosingThatHoldsNothingOnce) {
+TEST(GripWatch, TellsOfEachClosingAndOpeningOnce) {
     using enum GripWatch::Seen;
     GripWatch watch;
     ToolView jaws;
@@ -19,11 +19,12 @@ TEST(GripWatch, TellsOfEachClosingThatHoldsNothingOnce) {
     EXPECT_EQ(watch.see(jaws, true), closed_on_nothing);
     EXPECT_EQ(watch.see(jaws, true), nothing_new);
     jaws.opening_mm = 12.0;
+    EXPECT_EQ(watch.see(jaws, false), opened);
     EXPECT_EQ(watch.see(jaws, false), nothing_new);
     jaws = {};
     jaws.opening_mm = 2.0;  // a vessel between them
     jaws.grip_un = 5e4;
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    EXPECT_EQ(watch.see(jaws, true), closed_on_something);
     jaws.grip_un = 0.0;  // for a step
     EXPECT_EQ(watch.see(jaws, true), nothing_new) << "they have not met";
     jaws.grip_un = 5e4;
@@ -33,7 +34,7 @@ TEST(GripWatch, TellsOfEachClosingThatHoldsNothingOnce) {
     EXPECT_EQ(watch.see(jaws, true), slipped);
     EXPECT_EQ(watch.see(jaws, true), nothing_new);
     jaws.opening_mm = 2.0;  // let go by the hand
-    EXPECT_EQ(watch.see(jaws, false), nothing_new);
+    EXPECT_EQ(watch.see(jaws, false), opened);
 }
 
 }  // namespace
