@@ -31,6 +31,7 @@ QString marks_of(const CourseLine& line) {
 
 QString standing_of(const CourseLine& line) {
     if (line.passed) return Words::tr("✓ passed");
+    if (line.passed_earlier) return Words::tr("passed earlier, before this course");
     return line.attempts > 0 ? Words::tr("✗ not passed yet") : Words::tr("not tried yet");
 }
 
@@ -83,6 +84,10 @@ QString course_title(const std::string& name) {
     return name == own ? translated(name) : QString::fromStdString(name);
 }
 
+QString whose_attempts(const std::string& trainee) {
+    return trainee.empty() ? Words::tr("everybody here") : QString::fromStdString(trainee);
+}
+
 void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines,
                                const std::string& whose, bool own) {
     lines_ = std::move(lines);
@@ -91,10 +96,8 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
     const QString title = course_title(name).toHtmlEscaped(), done = QString::number(passed),
                   of = QString::number(lines_.size());
     // All placeholders at once, here and elsewhere: a name may contain "%2".
-    QString text = whose.empty()
-                       ? Words::tr("<b>%1</b>: %2 of %3 lessons passed").arg(title, done, of)
-                       : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4")
-                             .arg(title, done, of, QString::fromStdString(whose).toHtmlEscaped());
+    QString text = Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4")
+                       .arg(title, done, of, whose_attempts(whose).toHtmlEscaped());
     if (lines_.empty())
         text = Words::tr("<b>%1</b> holds no lesson yet: Lesson > Edit course adds some")
                    .arg(QString::fromStdString(name).toHtmlEscaped());

@@ -20,6 +20,9 @@ namespace hepatica {
 // The program's own course in the window's language; another one as its author called it.
 QString course_title(const std::string& name);
 
+// For whom attempts count: the trainee of this name; empty: whoever played here.
+QString whose_attempts(const std::string& trainee);
+
 // UI thread only.
 class CourseDialog : public QDialog {
   public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the dock for courses: which one is shown, made, and what all have reached in it.
+#include <QDateTime>
 #include <QFileDialog>
 #include <algorithm>
 #include <exception>
@@ -131,6 +132,9 @@ CourseEditor& LessonDock::course_editor() {
             choose_course(file);
             if (course_->isVisible()) show_course(file);
         };
+        ways.now = [] {
+            return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+        };
         course_editor_ = new CourseEditor(std::move(ways), parentWidget());
     }
     return *course_editor_;
@@ -157,11 +161,14 @@ void LessonDock::tell_course_standing() {
         const std::ptrdiff_t passed = std::ranges::count_if(lines, &CourseLine::passed);
         const bool all = passed == std::ssize(lines);
         if (next_ && !all) return;
-        const QString title = course_title(course.name);
+        panel_->set_next({});  // a course that is passed leads on to nothing
+        const QString title = course_title(course.name), whose = whose_attempts(trainee_);
         panel_->set_course_standing(
-            all ? Words::tr("✓ The course \"%1\" is passed: all of its lessons are.").arg(title)
-                : Words::tr("This was the last lesson of the course \"%1\": %2 of %3 are passed.")
-                      .arg(title, QString::number(passed), QString::number(lines.size())));
+            all ? Words::tr("✓ The course \"%1\" is passed by %2: all of its lessons are.")
+                      .arg(title, whose)
+                : Words::tr("This was the last lesson of the course \"%1\": %2 of %3 are passed "
+                            "by %4.")
+                      .arg(title, QString::number(passed), QString::number(lines.size()), whose));
     } catch (const InputError&) {
         return;  // the course can no longer be read: Lesson > Course says why
     }

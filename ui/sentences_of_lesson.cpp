@@ -122,6 +122,8 @@ constexpr std::array sentences_lesson{
     Words::id("is %1, not a number"),
     Words::id("is %1, not a place"),
     Words::id("is %1, not a text"),
+    Words::id("is %1, not a time"),
+    Words::id("Write it as \"2026-11-23T13:20:05Z\", or leave it out"),
     Words::id("Add it: see docs/lessons.md"),
     Words::id("Choose from %1"),
     Words::id("Give a number"),

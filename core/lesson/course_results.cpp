@@ -34,6 +34,8 @@ CourseResults results_of(const Course& course, const std::filesystem::path& fold
     const std::vector<CourseLine> lines = standing_of(course, folder, {});
     CourseResults results;
     for (const CourseLine& line : lines) results.lessons.push_back(line.title);
+    std::vector<Attempt> counted = attempts;
+    std::erase_if(counted, [&](const Attempt& attempt) { return is_before(attempt, course); });
     std::vector<std::string> names = names_in(attempts);
     const bool nameless =
         std::ranges::any_of(attempts, [](const Attempt& attempt) { return attempt.name.empty(); });
@@ -41,7 +43,7 @@ CourseResults results_of(const Course& course, const std::filesystem::path& fold
     for (const std::string& name : names) {
         TraineeResults trainee{name, {}};
         for (const CourseLine& line : lines)
-            trainee.lessons.push_back(result_at(line, name, attempts));
+            trainee.lessons.push_back(result_at(line, name, counted));
         results.trainees.push_back(std::move(trainee));
     }
     return results;

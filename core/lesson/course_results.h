@@ -29,8 +29,8 @@ struct CourseResults {
     std::vector<TraineeResults> trainees;  // sorted by name, the nameless last
 };
 
-// Includes the course's own pass marks. `folder`: where the course's file lies. Throws InputError
-// where a lesson cannot be read.
+// Includes the course's own pass marks; attempts from before the course was made do not count.
+// `folder`: where the course's file lies. Throws InputError where a lesson cannot be read.
 CourseResults results_of(const Course& course, const std::filesystem::path& folder,
                          const std::vector<Attempt>& attempts);
 

@@ -27,6 +27,10 @@ bool passes(const Attempt& attempt, const std::vector<Predicate>& marks) {
            });
 }
 
+bool is_before(const Attempt& attempt, const Course& course) {
+    return attempt.ended_at < course.made_at;
+}
+
 std::vector<CourseLine> standing_of(const Course& course, const std::filesystem::path& folder,
                                     const std::vector<Attempt>& attempts) {
     std::vector<CourseLine> lines;
@@ -41,8 +45,10 @@ std::vector<CourseLine> standing_of(const Course& course, const std::filesystem:
         });
         for (const Attempt& attempt : attempts) {
             if (was_interrupted(attempt) || !is_at(attempt, {line.id, line.title})) continue;
-            ++line.attempts;
-            line.passed = line.passed || passes(attempt, line.pass);
+            const bool earlier = is_before(attempt, course);
+            if (!earlier) ++line.attempts;
+            bool& passed = earlier ? line.passed_earlier : line.passed;
+            passed = passed || passes(attempt, line.pass);
         }
         lines.push_back(std::move(line));
     }

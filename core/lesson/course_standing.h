@@ -16,9 +16,10 @@ struct CourseLine {
     std::string lesson;  // as find_lesson() takes it
     std::string title;
     std::vector<Predicate> pass;  // the course's, in addition to the lesson's
-    int attempts = 0;             // without interrupted ones
-    bool passed = false;
-    std::string id{};  // of the lesson, see LessonKey; may be empty
+    int attempts = 0;             // those that count
+    bool passed = false;          // by one that counts
+    std::string id{};             // of the lesson, see LessonKey; may be empty
+    bool passed_earlier = false;  // by one from before the course was made
 };
 
 // The lesson of a course's entry, as find_lesson() takes it: the id of a built-in lesson, or the
@@ -31,8 +32,11 @@ std::string entry_naming(const std::string& lesson, const std::filesystem::path&
 // none; those of a moment only the marks of the course that the attempt passed.
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks);
 
-// One line per lesson, in order. `folder`: where the course's file lies. Throws InputError where a
-// lesson cannot be read.
+// Returns true for attempts that ended before the course was made: they were not made for it.
+bool is_before(const Attempt& attempt, const Course& course);
+
+// One line per lesson, in order. Interrupted attempts and those before the course do not count.
+// `folder`: where the course's file lies. Throws InputError where a lesson cannot be read.
 std::vector<CourseLine> standing_of(const Course& course, const std::filesystem::path& folder,
                                     const std::vector<Attempt>& attempts);
 

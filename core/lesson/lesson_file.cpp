@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/json_problem.h"
@@ -187,11 +188,24 @@ Lesson lesson_from(const LessonFields& fields) {
     return lesson;
 }
 
+std::string time_from(const LessonFields& field) {
+    constexpr std::string_view pattern = "dddd-dd-ddTdd:dd:ddZ";
+    const std::string time = field.text();
+    const auto fits = [](char given, char wanted) {
+        return wanted == 'd' ? given >= '0' && given <= '9' : given == wanted;
+    };
+    if (!std::ranges::equal(time, pattern, fits))
+        field.refuse("is " + field.dump() + ", not a time",
+                     "Write it as \"2026-11-23T13:20:05Z\", or leave it out");
+    return time;
+}
+
 Course course_from(const LessonFields& fields) {
     fields.require_format("hepatica-course", lesson_remedy);
-    fields.know({"format", "version", "name", "lessons"});
+    fields.know({"format", "version", "name", "lessons", "made_at"});
     Course course;
     course.name = fields.need("name").text();
+    if (fields.has("made_at")) course.made_at = time_from(fields.need("made_at"));
     for (const LessonFields& entry : fields.need("lessons").list()) {
         entry.know({"lesson", "pass"});
         course.lessons.push_back({entry.need("lesson").text(), predicates_from(entry, "pass", {})});

@@ -37,11 +37,14 @@ struct CourseEntry {
 struct Course {
     std::string name;
     std::vector<CourseEntry> lessons;  // in order; empty while it is being made
+    // When it was made, UTC as Attempt::ended_at; attempts before do not count. Empty: all do.
+    std::string made_at{};
     bool operator==(const Course&) const = default;
 };
 
 //   {"format": "hepatica-course", "version": 1, "name": ..., "lessons": [
-//      {"lesson": "look_around", "pass": [{"what": "time_s", "at_most": 60}]}]}
+//      {"lesson": "look_around", "pass": [{"what": "time_s", "at_most": 60}]}],
+//    "made_at": "2026-11-23T13:20:05Z"}, the last of which may be left out.
 // Throws InputError as above, also for pass marks that name a mark of a lesson.
 Course read_course(const std::filesystem::path& file);
 Course course_of(const std::string& text, const std::string& place);

@@ -101,6 +101,7 @@ void write_lesson(const std::filesystem::path& file, const Lesson& lesson) {
 
 std::string text_of(const Course& course) {
     Json json{{"format", "hepatica-course"}, {"version", 1}, {"name", course.name}};
+    if (!course.made_at.empty()) json["made_at"] = course.made_at;
     json["lessons"] = Json::array();
     for (const CourseEntry& entry : course.lessons) {
         Json lesson{{"lesson", entry.lesson}};

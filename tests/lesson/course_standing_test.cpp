@@ -89,6 +89,25 @@ TEST(CourseStanding, CountsNoAttemptThatWasInterrupted) {
     EXPECT_EQ(results_of(course, "", {cut}).trainees.at(0).lessons.at(0).attempts, 1);
 }
 
+TEST(CourseStanding, WhatWasPlayedBeforeTheCourseWasMadeDoesNotCount) {
+    const Course course{"c", {{"gentle_pull", {}}}, "2026-11-30T12:00:00Z"};
+    Attempt attempt = attempt_of_time(find_lesson("gentle_pull").name, true, 1.0);
+    attempt.ended_at = "2026-11-30T11:59:59Z";
+    const CourseLine before = standing_of(course, "", {attempt}).at(0);
+    EXPECT_FALSE(before.passed);
+    EXPECT_TRUE(before.passed_earlier);
+    EXPECT_EQ(before.attempts, 0);
+    EXPECT_EQ(results_of(course, "", {attempt}).trainees.at(0).lessons.at(0), LessonResult{});
+    EXPECT_TRUE(standing_of({"c", course.lessons, {}}, "", {attempt}).at(0).passed)
+        << "of a course that does not know when it was made";
+    attempt.ended_at = course.made_at;
+    const CourseLine since = standing_of(course, "", {attempt}).at(0);
+    EXPECT_TRUE(since.passed);
+    EXPECT_FALSE(since.passed_earlier);
+    EXPECT_EQ(since.attempts, 1);
+    EXPECT_TRUE(results_of(course, "", {attempt}).trainees.at(0).lessons.at(0).passed);
+}
+
 TEST(CourseStanding, OfTheProgramsOwnCourseHasALineForEachLesson) {
     const auto lines = standing_of(course_of(built_in_course(), "course"), "", {});
     EXPECT_EQ(lines.size(), built_in_lessons().size());

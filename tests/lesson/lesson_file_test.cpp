@@ -170,6 +170,13 @@ TEST(CourseFile, HasLessonsWithPassMarks) {
               (std::vector<Predicate>{{Quantity::path_mm, -1, false, 90.0}}));
     EXPECT_TRUE(course_with("[]").lessons.empty()) << "as a new one begins";
     EXPECT_THROW(course_with(R"([{"lesson": "a", "grade": 1}])"), InputError);
+    EXPECT_EQ(course.made_at, "");
+    const auto made = [&](const std::string& at) {
+        return course_with(R"([], "made_at": ")" + at + "\"").made_at;
+    };
+    EXPECT_EQ(made("2026-11-23T13:20:05Z"), "2026-11-23T13:20:05Z");
+    EXPECT_THROW(made("yesterday"), InputError);
+    EXPECT_THROW(made("2026-11-23T13:20:05+01:00"), InputError) << "of another zone";
 }
 
 }  // namespace

@@ -117,12 +117,13 @@ TEST(CourseWriter, WritesWhatReadsAsTheSameCourse) {
         "Two \"steps\"",
         {{"gentle_pull",
           {{Quantity::path_mm, -1, false, 100.5}, {Quantity::time_s, -1, true, 1.0}}},
-         {"../a lesson.json", {}}}};
+         {"../a lesson.json", {}}},
+        "2026-11-23T13:20:05Z"};
     write_course(file, course);
     EXPECT_EQ(read_course(file), course);
-    EXPECT_THROW(write_course(file, {"", course.lessons}), InputError);
+    EXPECT_THROW(write_course(file, {"", course.lessons, {}}), InputError);
     EXPECT_EQ(read_course(file), course) << "nothing that cannot be read takes its place";
-    const Course empty{"new", {}};
+    const Course empty{"new", {}, {}};
     write_course(file, empty);
     EXPECT_EQ(read_course(file), empty);
 }

@@ -178,7 +178,9 @@ void CourseEditor::begin_new() {
     const auto file = ways_.where_to_save(Words::tr("Where should the new course be saved?"), name);
     if (!file) return;
     const std::string called = to_text(file->stem()).toStdString();
-    if (attempt(Words::tr("New course"), [&] { document_.begin(*file, {called, {}}, {}); }))
+    if (attempt(Words::tr("New course"), [&] {
+            document_.begin(*file, {called, {}, ways_.now()}, {});
+        }))
         show_editor();
 }
 
@@ -192,7 +194,9 @@ void CourseEditor::save_copy(const Course& course, const std::filesystem::path& 
     const auto file = ways_.where_to_save(
         Words::tr("A copy of the course is edited: where to save it?"), course.name);
     if (!file) return;
-    attempt(Words::tr("Copy course"), [&] { document_.begin(*file, course, folder); });
+    Course copy = course;
+    copy.made_at = ways_.now();  // what was played before was not played for it
+    attempt(Words::tr("Copy course"), [&] { document_.begin(*file, copy, folder); });
 }
 
 void CourseEditor::change(const std::string& what, const std::function<void(Course&)>& how) {

@@ -34,6 +34,8 @@ class CourseEditor : public QDialog {
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
         // The course in this file was changed.
         std::function<void(const std::filesystem::path& file)> written;
+        // The time, UTC as Course::made_at, of a course that is made now; empty: it has none.
+        std::function<std::string()> now = [] { return std::string(); };
     };
     CourseEditor(Ways ways, QWidget* parent);
     ~CourseEditor() override;
