@@ -172,6 +172,7 @@ void MainWindow::stop_after_lesson() {
     // Nor is anything held or pressed any more.
     const bool tool = view_->mouse().mode() == MouseMode::tool;
     view_->let_go();
+    view_->play_ended();
     back_to_pulling();
     if (tool) hint(Words::tr("The lesson is judged: the tool is put away, and the wheel zooms"));
 }

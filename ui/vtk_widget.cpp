@@ -232,12 +232,14 @@ void VtkWidget::show_aim() {
 }
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
+    if (calm_.swallows(event->timestamp())) return;
     take_from_keys();
     mouse_->press(pixel_of(event->position()), button_of(*event), modifiers_of(*event));
     draw_again();
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
+    if (calm_.swallows(event->timestamp())) return;
     // A mouse movement does not end a pull by keys; a tool follows the mouse again.
     if (keys_->leads() && mouse_->mode() != MouseMode::tool) return;
     if (mouse_->mode() == MouseMode::tool) take_from_keys();
@@ -257,6 +259,7 @@ void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
+    if (calm_.swallows(event->timestamp())) return;
     // With Alt held, some systems report a horizontal wheel.
     const QPoint turned = event->angleDelta();
     mouse_->wheel((turned.y() != 0 ? turned.y() : turned.x()) / 120.0, modifiers_of(*event));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "render/scene_view.h"
+#include "ui/calm_after_play.h"
 #include "ui/canvas.h"
 #include "ui/key_tool.h"
 #include "ui/mouse_tool.h"
@@ -40,6 +41,8 @@ class VtkWidget : public QWidget {
     KeyTool& keys() { return *keys_; }
     // Of what mouse or keys pull or draw.
     void let_go();
+    // What the hand still does for a moment has no effect.
+    void play_ended() { calm_.play_ended(); }
     // The mouse has another mode or tool. If it was chosen by a key, the aim is shown at once,
     // because keys will lead.
     void mode_chosen();
@@ -101,6 +104,7 @@ class VtkWidget : public QWidget {
     vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
     std::unique_ptr<SceneView> scene_;
     std::unique_ptr<MouseTool> mouse_;
+    CalmAfterPlay calm_;
     std::unique_ptr<KeyTool> keys_;
     bool key_is_down_ = false;  // one that came to this widget first, also if it is a shortcut
     Canvas* canvas_ = nullptr;
