@@ -2,7 +2,9 @@
 #include "core/lesson/lesson_draft.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 
 #include "core/base/hash.h"
@@ -63,6 +65,23 @@ void remove_mark(Lesson& lesson, int mark) {
     }
     forget(lesson.limits, mark);
     forget(lesson.pass, mark);
+}
+
+ScriptPlace free_place(const Lesson& lesson) {
+    const auto room = [&](double share) {
+        double least = 1.0;
+        for (const LessonMark& mark : lesson.marks)
+            if (const std::optional<double> other = mark.place.share_of_longest_path)
+                least = std::min(least, std::abs(*other - share));
+        return least;
+    };
+    // Neither in the trunk nor at the very end. The middle comes first and wins where all are free.
+    constexpr double middle = 0.5;
+    constexpr int first = 4, last = 18;  // in twentieths
+    double best = middle;
+    for (int k = first; k <= last; ++k)
+        if (room(0.05 * k) > room(best) + 1e-9) best = 0.05 * k;
+    return {std::nullopt, best};
 }
 
 std::string free_mark_name(const Lesson& lesson) {

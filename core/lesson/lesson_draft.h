@@ -21,6 +21,10 @@ LessonStep new_step();
 // reports; the indices of later marks are adjusted everywhere.
 void remove_mark(Lesson& lesson, int mark);
 
+// A place for another mark, as a share of the longest path: the middle, or where it is farthest
+// from the marks that are shares. Those that are points lie wherever somebody clicked.
+ScriptPlace free_place(const Lesson& lesson);
+
 // The first free name of "mark 1", "mark 2", ...
 std::string free_mark_name(const Lesson& lesson);
 

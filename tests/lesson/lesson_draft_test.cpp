@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
@@ -27,6 +29,24 @@ TEST(LessonDraft, BeginsWithoutALimitOnTheForce) {
             EXPECT_TRUE(bound.quantity != force_mn && bound.quantity != peak_force_mn &&
                         bound.quantity != impulse_mn_s)
                 << to_words(bound, lesson.mark_names());
+}
+
+// Else their numbers would be printed over each other.
+TEST(LessonDraft, PutsEachNewMarkElsewhere) {
+    Lesson lesson = new_lesson();
+    lesson.marks.clear();
+    EXPECT_EQ(free_place(lesson).share_of_longest_path, 0.5);
+    lesson.marks.push_back({"clicked", {Vec3(1, 2, 3), std::nullopt}});
+    EXPECT_EQ(free_place(lesson).share_of_longest_path, 0.5);
+    for (int mark = 0; mark < 6; ++mark) {
+        const ScriptPlace place = free_place(lesson);
+        const double share = place.share_of_longest_path.value();
+        EXPECT_GE(share, 0.2);
+        EXPECT_LE(share, 0.9 + 1e-9);
+        for (const LessonMark& other : lesson.marks)
+            EXPECT_GT(std::abs(other.place.share_of_longest_path.value_or(-1.0) - share), 0.04);
+        lesson.marks.push_back({"mark", place});
+    }
 }
 
 TEST(LessonDraft, TakesAMarkAwayAndKeepsWhatNamedIt) {

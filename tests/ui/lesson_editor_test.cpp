@@ -370,6 +370,9 @@ TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {
 TEST_F(LessonEditorTest, two_marks_cannot_have_one_name) {
     turn_to(1);
     click("lessonAddMark");
+    EXPECT_NE(lesson().marks[0].place.share_of_longest_path,
+              lesson().marks[1].place.share_of_longest_path)
+        << "nor one place";
     auto& name = field<QLineEdit>("mark1name");
     name.setText("mark 1");
     emit name.editingFinished();

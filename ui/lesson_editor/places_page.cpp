@@ -65,7 +65,7 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     add->setObjectName("lessonAddMark");
     connect(add, &QPushButton::clicked, this, [this] {
         change_shape([](Lesson& lesson) {
-            lesson.marks.push_back({free_mark_name_in_words(lesson), half_way});
+            lesson.marks.push_back({free_mark_name_in_words(lesson), free_place(lesson)});
         });
     });
     column->addWidget(add, 0, Qt::AlignLeft);
