@@ -243,6 +243,8 @@ class MainWindow : public QMainWindow {
     void copy_case(const std::filesystem::path& place,
                    const std::function<void(bool lacks_work)>& copy);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
+    // As a folder of pictures, whether there is ffmpeg or not.
+    void ask_and_save_pictures(double end_s, const std::function<void(double at_s)>& go_to);
     void say_no_film();  // it was cancelled
     void remember(const std::filesystem::path& path);
     void fail(const QString& doing, const Failure& failure);

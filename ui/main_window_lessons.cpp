@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QStatusBar>
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "core/session/script.h"
@@ -463,9 +464,8 @@ void MainWindow::build_review() {
         second_view_->show_frame(frame, std::move(marks), patient_->anatomy.vertex_systems(),
                                  other);
     };
-    ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {
-        ask_and_save_film(end_s, go_to);
-    };
+    ways.save_film = std::bind_front(&MainWindow::ask_and_save_film, this);
+    ways.save_pictures = std::bind_front(&MainWindow::ask_and_save_pictures, this);
     ways.failed = [this](const Failure& failure) {
         fail(Words::tr("Look back on a recording"), failure);
         review_message_ = messages_->text();

@@ -98,19 +98,26 @@ QWidget* ReviewDock::build_heading() {
     film->setObjectName("reviewFilm");
     film->setToolTip(
         Words::tr("As one MP4 file where ffmpeg is installed, else as a folder of pictures"));
-    connect(film, &QPushButton::clicked, this, [this] {
-        if (!complete()) return ways_.say(Words::tr("The recording is still being read."));
-        set_playing(false);
-        const double before_s = at_s_;
-        ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
-        go_to(before_s);
-    });
+    connect(film, &QPushButton::clicked, this, [this] { save(ways_.save_film); });
     row->addWidget(film);
+    auto* pictures = new QPushButton(Words::tr("Save its pictures…"));
+    pictures->setObjectName("reviewPictures");
+    pictures->setToolTip(Words::tr("Each picture of the film as a PNG file, in a folder"));
+    connect(pictures, &QPushButton::clicked, this, [this] { save(ways_.save_pictures); });
+    row->addWidget(pictures);
     auto* leave_button = new QPushButton(Words::tr("Leave &the review"));
     leave_button->setObjectName("reviewLeave");
     connect(leave_button, &QPushButton::clicked, this, [this] { leave(); });
     row->addWidget(leave_button);
     return box;
+}
+
+void ReviewDock::save(const SaveMoments& moments) {
+    if (!complete()) return ways_.say(Words::tr("The recording is still being read."));
+    set_playing(false);
+    const double before_s = at_s_;
+    moments(end_s(), [this](double at_s) { go_to(at_s); });
+    go_to(before_s);
 }
 
 QWidget* ReviewDock::build_controls() {

@@ -41,6 +41,8 @@ QString gone_through(const QString& name, double fraction);
 // UI thread only.
 class ReviewDock : public QDockWidget {
   public:
+    using SaveMoments =
+        std::function<void(double end_s, const std::function<void(double at_s)>& go_to)>;
     struct Ways {
         // The shown patient; null: none.
         std::function<std::shared_ptr<const PatientCase>()> patient;
@@ -57,8 +59,8 @@ class ReviewDock : public QDockWidget {
         std::function<void(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                            const QString& first, const QString& other)>
             beside;
-        // Makes a film of the review; `go_to` shows a moment.
-        std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
+        // Makes a film of the review, or a picture of each of its moments; `go_to` shows a moment.
+        SaveMoments save_film, save_pictures;
         // The case of a patient with this hash, where these settings know it; else empty.
         std::function<std::filesystem::path(std::uint64_t hash)> known_case = [](std::uint64_t) {
             return std::filesystem::path();
@@ -124,6 +126,7 @@ class ReviewDock : public QDockWidget {
     bool all_computed() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
     void build();
     QWidget* build_heading();
+    void save(const SaveMoments& moments);  // and goes back to where it was
     QWidget* build_controls();
     QWidget* build_notes();
     // Says why no review begins now, if none may.

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_writer.h"
@@ -316,6 +317,22 @@ TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folde
     choose_file(folder_.path());
     click("reviewFilm");
     EXPECT_TRUE(window_.messages().text().contains("not empty"));
+}
+
+TEST_F(ReviewWindowTest, its_pictures_are_saved_whether_there_is_ffmpeg_or_not) {
+    open_built_in();
+    look_back();
+    const auto as_before = qScopeGuard([path = qgetenv("PATH")] { qputenv("PATH", path); });
+    std::ofstream(to_path(folder_.filePath("ffmpeg"))) << "#!/bin/sh\nexit 1\n";
+    std::filesystem::permissions(to_path(folder_.filePath("ffmpeg")),
+                                 std::filesystem::perms::owner_all);
+    qputenv("PATH", folder_.path().toLocal8Bit());
+    choose_file(folder_.filePath("moments"));
+    line().set_at(0.5);
+    click("reviewPictures");
+    EXPECT_NEAR(dock().at_s(), 0.5, 1e-9) << "the review is where it was";
+    EXPECT_TRUE(window_.messages().text().startsWith("The film was saved: "));
+    EXPECT_TRUE(std::filesystem::exists(to_path(folder_.filePath("moments/00000.png"))));
 }
 
 // A recording has the figures of the play, whose clock ran.
