@@ -277,7 +277,10 @@ bool LessonDock::begins_with(const Command& command) {
     const auto* drug = std::get_if<PlayDrug>(&command);
     const bool does_something =
         !objection_to(command, Lesson{}).empty() || (drug != nullptr && drug->playing);
-    if (lets_it_run || does_something) read_first_ = stands_at_end_ = false;
+    if (lets_it_run || does_something) {
+        read_first_ = stands_at_end_ = false;
+        show_figures();  // at once, whenever the next frame comes
+    }
     note_interruption();
     return does_something;
 }

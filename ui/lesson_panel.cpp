@@ -208,8 +208,8 @@ QString LessonPanel::about_clock(const LessonStanding& standing, bool clock_stan
             "The play that was judged is left: \"Look back on it\" shows its recording.");
     if (!running)
         return Words::tr(
-            "The play is paused as it was when it was judged, and no tool is in hand. It goes on "
-            "as soon as you do something.");
+            "The play is paused as it was when it was judged, and what was in hand is put away. It "
+            "goes on as soon as you do something.");
     if (clock_stands) return Words::tr("The clock stands: it runs from the first thing you do.");
     return Words::tr("Time: %1")
         .arg(with_units_beside(

@@ -218,6 +218,7 @@ class MainWindow : public QMainWindow {
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
     void dismiss_review_message();
+    void dismiss_offered_report();  // of an attempt that another one follows
 
     // main_window_files.cpp: opening and saving.
     std::optional<std::filesystem::path> which_case();
@@ -385,6 +386,7 @@ class MainWindow : public QMainWindow {
     // Corrections and strokes when a point was set or taken back in the slices.
     std::pair<std::size_t, std::size_t> steps_at_points_;
     QString review_message_;  // why a recording could not be shown
+    QString report_message_;  // where the newest report is
     QString unfit_message_;   // names lessons that no longer fit
     QString place_message_;   // asks for a place of a lesson
     // Of the last reconstruction asked for, until a patient is shown: it may fail.

@@ -137,6 +137,7 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     review_->end();
     dismiss_review_message();
     const bool begins = simulation != nullptr;
+    if (begins) dismiss_offered_report();
     if (begins) stop_drawing_a_vessel();
     if (begins) remember_recorded_patient();
     use(std::move(simulation));

@@ -100,6 +100,12 @@ void MainWindow::offer_report(const std::filesystem::path& folder) {
         return;
     }
     messages_->show_notice(text, Words::tr("Open"), show);
+    report_message_ = messages_->text();
+}
+
+void MainWindow::dismiss_offered_report() {
+    const QString message = std::exchange(report_message_, {});
+    if (!message.isEmpty() && messages_->text() == message) messages_->dismiss();
 }
 
 }  // namespace hepatica

@@ -125,7 +125,7 @@ TEST_F(LessonPanelTest, says_that_the_play_is_paused_after_the_verdict) {
     standing_.outcome = LessonOutcome::passed;
     panel_.show_standing(standing_, true);
     EXPECT_TRUE(text("lessonClock").startsWith("The play is paused as it was when"));
-    EXPECT_TRUE(text("lessonClock").contains("no tool is in hand"));
+    EXPECT_TRUE(text("lessonClock").contains("what was in hand is put away"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
     // Free play is shown instead.
     panel_.show_standing(standing_, true, LessonPanel::InView::other);

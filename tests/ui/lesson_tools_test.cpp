@@ -273,6 +273,17 @@ TEST_F(LessonToolsTest, after_the_verdict_a_drug_that_is_to_run_on_lets_the_play
     EXPECT_TRUE(window_.lessons().begins_with(PlayDrug{true}));
 }
 
+// Where pictures are slow, the panel would say that the clock stands while a tool presses already.
+TEST_F(LessonToolsTest, that_the_clock_runs_is_said_with_the_first_thing_done) {
+    const std::string file = folder_.filePath("lesson.json").toStdString();
+    write_lesson(file, new_lesson());
+    window_.lessons().start(file);
+    const auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
+    ASSERT_TRUE(wait_for([&] { return clock->text().startsWith("The clock stands"); }));
+    EXPECT_TRUE(window_.lessons().begins_with(GrabPoint{}));
+    EXPECT_TRUE(clock->text().startsWith("Time:")) << clock->text().toStdString();
+}
+
 // The tool is gone and the wheel has another meaning, while the eyes are on the vessels.
 TEST_F(LessonToolsTest, that_the_tool_is_put_away_at_the_verdict_is_said) {
     Lesson lesson = new_lesson();

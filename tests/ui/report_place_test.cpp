@@ -8,6 +8,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
+#include "ui/message_bar.h"
 
 namespace hepatica {
 namespace {
@@ -51,6 +52,14 @@ class ReportPlace : public testing::LessonWindowTest {
         return proposed;
     }
 };
+
+TEST_F(ReportPlace, is_said_until_the_next_lesson_begins) {
+    write_into(to_path(folder_.filePath("rep7")));
+    ASSERT_TRUE(window_.messages().text().startsWith("The report is in"));
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().running() != nullptr; }));
+    EXPECT_EQ(window_.messages().text(), "");
+}
 
 TEST_F(ReportPlace, is_the_new_folder_whose_name_is_typed) {
     const fs::path place = to_path(folder_.filePath("rep7"));
