@@ -193,9 +193,10 @@ void PlayMeter::see_marks(const Frame& frame) {
         mark.distance_mm = frame.tool   ? (frame.tool->working_mm() - place).norm()
                            : frame.grab ? (frame.grab->point_mm - place).norm()
                                         : far;
-        // Touching the vessel at the mark counts as distance 0, whatever its thickness and the
-        // tool.
-        if (touches && is_touched(frame, marks_[i])) mark.distance_mm = 0.0;
+        // Touching the vessel at the mark counts as distance 0, whatever its thickness. Jaws are to
+        // have it between them.
+        if (touches && !frame.tool->has_jaws() && is_touched(frame, marks_[i]))
+            mark.distance_mm = 0.0;
         mark.touch_mm = touches      ? (place_of_touch(*frame.tool) - place).norm()
                         : frame.grab ? (frame.grab->point_mm - place).norm()
                                      : far;

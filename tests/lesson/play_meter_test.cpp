@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/scene/drug_arrival.h"
 #include "tests/lesson/frames.h"
@@ -127,6 +128,15 @@ TEST(PlayMeter, AMarksDistanceOfTheTouchIsThatOfTheMiddleOfJaws) {
     tool.parts = {{tool.tip_mm - aside - along, tool.tip_mm - aside, 1.0},
                   {tool.tip_mm + aside - along, tool.tip_mm + aside, 1.0}};
     EXPECT_NEAR(touch_mm(), 2.0, 1e-3) << "a quarter of their length from their tips";
+    // Every vertex, that of the mark among them.
+    tool.touched.resize(small_patient()->mesh.vertices_mm.size());
+    std::iota(tool.touched.begin(), tool.touched.end(), 0);
+    const auto distance_mm = [&] {
+        return meter_of({touching}, lesson).moment().marks[0].distance_mm;
+    };
+    EXPECT_NEAR(distance_mm(), 2.0, 1e-3) << "as the picture says";
+    tool.parts.pop_back();
+    EXPECT_EQ(distance_mm(), 0.0) << "a rod has arrived";
     tool.touched.clear();
     EXPECT_TRUE(std::isinf(touch_mm()));
 }
