@@ -26,6 +26,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/paths.h"
+#include "ui/pointed_place.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
 #include "ui/recovery.h"
@@ -393,6 +394,7 @@ void MainWindow::build_lesson_editor() {
         log_->add_failure(doing, failure_of(error));
         tell_failure(shown_of(*lesson_editor_, *this), doing, failure_of(error));
     };
+    ways.is_hidden = [this](const Vec3& at) { return is_behind_vessels(view_->scene(), at); };
     ways.tumours = [this] { return view_layout_->slices().tumours().tumours(); };
     if (!draft_slot_) draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);

@@ -23,4 +23,10 @@ std::optional<Vec3> pointed_place(const SceneView& view, const Pixel& at, const 
     return on_vessel ? std::optional(pick.position_mm) : std::nullopt;
 }
 
+bool is_behind_vessels(const SceneView& view, const Vec3& place_mm) {
+    const SurfacePick pick = view.pick(view.pixel_of(place_mm));
+    return pick.triangle >= 0 &&
+           (place_mm - pick.position_mm).dot(view.axes().forward) > farthest_wall_mm;
+}
+
 }  // namespace hepatica

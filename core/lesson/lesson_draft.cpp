@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 
 #include "core/base/hash.h"
 
@@ -67,7 +68,7 @@ void remove_mark(Lesson& lesson, int mark) {
     forget(lesson.pass, mark);
 }
 
-ScriptPlace free_place(const Lesson& lesson) {
+ScriptPlace free_place(const Lesson& lesson, const std::function<bool(double)>& is_hidden) {
     const auto room = [&](double share) {
         double least = 1.0;
         for (const LessonMark& mark : lesson.marks)
@@ -75,12 +76,24 @@ ScriptPlace free_place(const Lesson& lesson) {
                 least = std::min(least, std::abs(*other - share));
         return least;
     };
+    const auto worth = [&](double share) {
+        constexpr double least_room = 0.04;
+        const bool seen = !is_hidden || !is_hidden(share);
+        return std::pair(seen && room(share) > least_room, room(share));
+    };
     // Neither in the trunk nor at the very end. The middle comes first and wins where all are free.
     constexpr double middle = 0.5;
     constexpr int first = 4, last = 18;  // in twentieths
     double best = middle;
-    for (int k = first; k <= last; ++k)
-        if (room(0.05 * k) > room(best) + 1e-9) best = 0.05 * k;
+    std::pair<bool, double> most = worth(middle);
+    for (int k = first; k <= last; ++k) {
+        const std::pair<bool, double> here = worth(0.05 * k);
+        const bool better =
+            here.first != most.first ? here.first : here.second > most.second + 1e-9;
+        if (!better) continue;
+        best = 0.05 * k;
+        most = here;
+    }
     return {std::nullopt, best};
 }
 

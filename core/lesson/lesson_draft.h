@@ -2,6 +2,7 @@
 // What the lesson editor starts from, and its edits that change more than one value.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "core/lesson/lesson.h"
@@ -22,8 +23,10 @@ LessonStep new_step();
 void remove_mark(Lesson& lesson, int mark);
 
 // A place for another mark, as a share of the longest path: the middle, or where it is farthest
-// from the marks that are shares. Those that are points lie wherever somebody clicked.
-ScriptPlace free_place(const Lesson& lesson);
+// from the marks that are shares; those that are points lie wherever somebody clicked. `is_hidden`:
+// whether the place at a share cannot be seen; it is taken only where all that is seen is taken.
+ScriptPlace free_place(const Lesson& lesson,
+                       const std::function<bool(double share)>& is_hidden = {});
 
 // The first free name of "mark 1", "mark 2", ...
 std::string free_mark_name(const Lesson& lesson);

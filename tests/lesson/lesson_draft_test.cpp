@@ -49,6 +49,19 @@ TEST(LessonDraft, PutsEachNewMarkElsewhere) {
     }
 }
 
+TEST(LessonDraft, PutsANewMarkWhereItIsSeen) {
+    const Lesson lesson = new_lesson();  // with a mark in the middle
+    const auto beyond_the_bend = [](double share) { return share > 0.45 + 1e-9; };
+    EXPECT_NEAR(free_place(lesson).share_of_longest_path.value(), 0.9, 1e-9);
+    EXPECT_NEAR(free_place(lesson, beyond_the_bend).share_of_longest_path.value(), 0.2, 1e-9);
+    const auto everywhere = [](double) { return true; };
+    EXPECT_EQ(free_place(lesson, everywhere).share_of_longest_path,
+              free_place(lesson).share_of_longest_path);
+    const auto but_in_the_middle = [](double share) { return std::abs(share - 0.5) > 1e-9; };
+    EXPECT_NE(free_place(lesson, but_in_the_middle).share_of_longest_path, 0.5)
+        << "a mark is there already";
+}
+
 TEST(LessonDraft, TakesAMarkAwayAndKeepsWhatNamedIt) {
     Lesson lesson = new_lesson();
     lesson.marks = {

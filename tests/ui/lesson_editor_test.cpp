@@ -367,6 +367,15 @@ TEST_F(LessonEditorTest, what_cannot_be_tried_stays_to_be_mended) {
     EXPECT_FALSE(editor_.isVisible());
 }
 
+TEST_F(LessonEditorTest, a_new_mark_is_put_where_no_vessel_hides_it) {
+    const Vec3 end = point_on_longest_path(patient_->tree, 0.9);
+    hides_ = [&](const Vec3& place) { return (place - end).norm() < 1e-9; };
+    turn_to(1);
+    click("lessonAddMark");
+    EXPECT_NE(lesson().marks[1].place.share_of_longest_path, 0.9);
+    EXPECT_NEAR(lesson().marks[1].place.share_of_longest_path.value(), 0.85, 1e-9);
+}
+
 TEST_F(LessonEditorTest, two_marks_cannot_have_one_name) {
     turn_to(1);
     click("lessonAddMark");

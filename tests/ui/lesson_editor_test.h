@@ -46,6 +46,7 @@ class LessonEditorTest : public ::testing::Test {
         };
         ways.failed = [this](const QString&, const std::exception_ptr&) { ++failures_; };
         ways.tumours = [this] { return tumours_; };
+        ways.is_hidden = [this](const Vec3& place) { return hides_ && hides_(place); };
         return ways;
     }
     const Lesson& lesson() { return editor_.document().lesson(); }
@@ -92,6 +93,7 @@ class LessonEditorTest : public ::testing::Test {
     int asked_for_place_ = 0, asked_no_more_ = 0, failures_ = 0;
     std::vector<Vec3> drawn_;
     std::vector<Tumour> tumours_;  // of the patient who is shown
+    std::function<bool(const Vec3& place)> hides_;
     LessonEditor editor_;
 };
 

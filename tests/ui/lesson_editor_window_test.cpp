@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
+#include "core/session/script.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/lesson_dock.h"
@@ -22,6 +23,7 @@
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/patient_place.h"
+#include "ui/pointed_place.h"
 
 namespace hepatica {
 namespace {
@@ -42,6 +44,19 @@ class LessonEditorWindowTest : public testing::WindowTest {
     LessonEditor& editor() { return window_.lesson_editor(); }
     void click(const char* name) { editor().findChild<QPushButton*>(name)->click(); }
 };
+
+// Places behind the middle of a vessel, before it, and in it.
+TEST_F(LessonEditorWindowTest, what_lies_behind_a_vessel_is_known_for_new_marks) {
+    paint();
+    const SceneView& scene = window_.view().scene();
+    const Vec3 middle = point_on_longest_path(test::small_patient()->tree, 0.5);
+    const Vec3 forward = scene.axes().forward;
+    const Pixel at = scene.pixel_of(middle);
+    ASSERT_GE(scene.pick(at).triangle, 0);
+    EXPECT_TRUE(is_behind_vessels(scene, scene.point_at_depth(at, middle + 40.0 * forward)));
+    EXPECT_FALSE(is_behind_vessels(scene, scene.point_at_depth(at, middle - 40.0 * forward)));
+    EXPECT_FALSE(is_behind_vessels(scene, middle)) << "its own wall hides no place";
+}
 
 // There is no window manager that would push them back.
 TEST_F(LessonEditorWindowTest, lies_wholly_on_the_screen_as_the_first_window_does) {

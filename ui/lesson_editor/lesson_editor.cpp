@@ -80,8 +80,9 @@ void LessonEditor::build() {
             changed(true);
         }};
     about_ = new AboutPage(changes, ways_.shown_patient);
-    places_ = new PlacesPage(changes, ways_.ask_for_place, ways_.ask_no_more,
-                             [this] { return targets(); });
+    places_ = new PlacesPage(
+        changes, ways_.ask_for_place, ways_.ask_no_more, [this] { return targets(); },
+        [this](const ScriptPlace& place) { return is_hidden(place); });
     auto* steps = new StepsPage(changes);
     auto* rules = new RulesPage(changes);
     shown_pages_ = {about_, places_, steps, rules};
@@ -388,6 +389,11 @@ std::vector<Vec3> LessonEditor::places() const {
         places.push_back(place_on(patient->tree, mark.place));
     if (const auto target = target_mm()) places.push_back(*target);
     return places;
+}
+
+bool LessonEditor::is_hidden(const ScriptPlace& place) const {
+    const std::shared_ptr<const PatientCase> patient = patient_of_places();
+    return patient != nullptr && ways_.is_hidden(place_on(patient->tree, place));
 }
 
 std::optional<Vec3> LessonEditor::target_mm() const {

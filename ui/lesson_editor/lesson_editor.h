@@ -53,6 +53,8 @@ class LessonEditor : public QWidget {
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
         // The shown patient's tumours, as far as they were read.
         std::function<std::vector<Tumour>()> tumours = [] { return std::vector<Tumour>(); };
+        // Whether another vessel hides this place of the shown patient, mm.
+        std::function<bool(const Vec3& place_mm)> is_hidden = [](const Vec3&) { return false; };
     };
     // `kept_copy`: see LessonDocument.
     LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent);
@@ -104,6 +106,7 @@ class LessonEditor : public QWidget {
     std::vector<TumourPlace> targets() const;
     // The patient whose vessels the places are on; null where none are to be seen.
     std::shared_ptr<const PatientCase> patient_of_places() const;
+    bool is_hidden(const ScriptPlace& place) const;
     void save(bool ask);
     void try_out();
     void take_what_is_typed();

@@ -45,11 +45,13 @@ QLabel* quiet(const QString& text) {
 
 PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
                        std::function<void()> ask_no_more,
-                       std::function<std::vector<TumourPlace>()> tumours)
+                       std::function<std::vector<TumourPlace>()> tumours,
+                       std::function<bool(const ScriptPlace&)> is_hidden)
     : LessonPage(std::move(changes)),
       ask_for_place_(std::move(ask_for_place)),
       ask_no_more_(std::move(ask_no_more)),
       tumours_(std::move(tumours)),
+      is_hidden_(std::move(is_hidden)),
       marks_(new QVBoxLayout),
       target_(new QVBoxLayout),
       add_target_(new QPushButton(Words::tr("&Give it a target"))),
@@ -63,11 +65,7 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     column->addLayout(marks_);
     auto* add = new QPushButton(Words::tr("&Add a mark"));
     add->setObjectName("lessonAddMark");
-    connect(add, &QPushButton::clicked, this, [this] {
-        change_shape([](Lesson& lesson) {
-            lesson.marks.push_back({free_mark_name_in_words(lesson), free_place(lesson)});
-        });
-    });
+    connect(add, &QPushButton::clicked, this, [this] { add_mark(); });
     column->addWidget(add, 0, Qt::AlignLeft);
     column->addSpacing(12);
     column->addWidget(new QLabel("<b>" + Words::tr("Target of the drug") + "</b>"));
@@ -161,6 +159,13 @@ QWidget* PlacesPage::make_row(int place, const std::string& name, const ScriptPl
     line->addWidget(gone);
     if (place == target) line->addStretch(1);
     return row;
+}
+
+void PlacesPage::add_mark() {
+    const auto is_hidden = [this](double share) { return is_hidden_({std::nullopt, share}); };
+    change_shape([&](Lesson& lesson) {
+        lesson.marks.push_back({free_mark_name_in_words(lesson), free_place(lesson, is_hidden)});
+    });
 }
 
 void PlacesPage::ask(int place) {

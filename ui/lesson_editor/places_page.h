@@ -22,10 +22,11 @@ struct TumourPlace {
 class PlacesPage : public LessonPage {
   public:
     // `ask_for_place`: send the next click on a vessel to place_clicked(). `ask_no_more`: cancel
-    // that. `tumours`: those that can be the target.
+    // that. `tumours`: those that can be the target. `is_hidden`: whether a place cannot be seen in
+    // the view.
     PlacesPage(Changes changes, std::function<void()> ask_for_place,
-               std::function<void()> ask_no_more,
-               std::function<std::vector<TumourPlace>()> tumours);
+               std::function<void()> ask_no_more, std::function<std::vector<TumourPlace>()> tumours,
+               std::function<bool(const ScriptPlace&)> is_hidden);
 
     // On the centreline of the undeformed vessels, mm; rounded to 0.1 mm. No effect if no place is
     // waited for.
@@ -43,6 +44,7 @@ class PlacesPage : public LessonPage {
     static constexpr int nobody = -2, target = -1;  // otherwise the index of a mark
 
     QWidget* make_row(int place, const std::string& name, const ScriptPlace& at);
+    void add_mark();
     void ask(int place);
     void rename(int mark, QLineEdit& field);
     void set_place(int place, const ScriptPlace& at, bool same_row);
@@ -50,6 +52,7 @@ class PlacesPage : public LessonPage {
 
     std::function<void()> ask_for_place_, ask_no_more_;
     std::function<std::vector<TumourPlace>()> tumours_;
+    std::function<bool(const ScriptPlace&)> is_hidden_;
     int waits_for_ = nobody;
     std::vector<std::string> names_;  // of the marks
     QVBoxLayout* marks_;
