@@ -158,6 +158,16 @@ TEST(LessonFile, TheBuiltInOnesAreSevenInTheOrderOfTheirCourse) {
     EXPECT_EQ(names.size(), 7u);
 }
 
+// Else the forceps alone would pass the first step, which asks for the probe.
+TEST(BuiltInLessonFiles, StepsWhoseTextsNameAToolAskForIt) {
+    const Lesson bleeding = find_lesson("bleeding_vessel");
+    ASSERT_EQ(bleeding.steps.size(), 2u);
+    EXPECT_EQ(bleeding.steps[0].tool, LessonTool::sphere);
+    EXPECT_EQ(bleeding.steps[1].tool, LessonTool::forceps);
+    EXPECT_EQ(find_lesson("probe_free").steps[0].tool, LessonTool::capsule);
+    EXPECT_FALSE(find_lesson("probe_free").steps[2].tool) << "there it is put away";
+}
+
 TEST(CourseFile, HasLessonsWithPassMarks) {
     const auto course_with = [](const std::string& lessons) {
         return course_of(R"({"format": "hepatica-course", "version": 1, "name": "c", "lessons": )" +
