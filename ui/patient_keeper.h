@@ -152,6 +152,7 @@ class PatientKeeper {
     // program does not end.
     void add_report(QueuedJob job);
     // Cancels the running job; corrections that wait for it are then taken back and can be redone.
+    // What was undone before them is not cancelled by that: the next cancel brings it back.
     void cancel() {
         opens_built_in_ = false;
         jobs_.cancel_running();
@@ -208,8 +209,9 @@ class PatientKeeper {
     void add_writing(QueuedJob job);
     BackgroundJob::Work writing(const std::filesystem::path& folder,
                                 const std::function<void()>& written);
-    // Returns how many steps of corrections were taken back and can be redone.
-    std::size_t stay_with_shown_body();
+    // The body that is being made will not come; see Workspace::give_up_edits(). What still waits
+    // then is computed.
+    Workspace::GivenUp give_up_what_waits();
     void go_on();
 
     Ways ways_;

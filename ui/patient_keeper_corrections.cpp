@@ -12,6 +12,28 @@
 
 namespace hepatica {
 
+namespace {
+
+// `undo_goes_on`: what was undone before them is still being made.
+QString said_of(const Workspace::GivenUp& given_up, bool undo_goes_on) {
+    const int steps = static_cast<int>(given_up.steps), lost = static_cast<int>(given_up.lost);
+    if (undo_goes_on)
+        return Words::tr(
+            "%n correction(s) taken back; Redo makes them again. The Undo before them "
+            "goes on: Cancel once more ends it, too",
+            nullptr, steps);
+    if (steps > 0)
+        return Words::tr("%n correction(s) taken back; Redo makes them again", nullptr, steps);
+    if (lost > 0)
+        return Words::tr(
+            "Cancelled: what was undone is there again. %n correction(s) made after "
+            "that Undo cannot be made again",
+            nullptr, lost);
+    return Words::tr("Cancelled: what was undone is there again");
+}
+
+}  // namespace
+
 void PatientKeeper::add_all(const std::vector<TreeEdit>& edits) {
     if (!workspace_.has_patient()) return;
     workspace_.add_all(edits);
@@ -60,16 +82,12 @@ void PatientKeeper::correct(JobQueue::Turn turn) {
     job.title = Words::tr("Correcting the tree").toStdString();
     job.begin = [this] { return correction(); };
     job.failed = [this, title = job.title](const Failure& failure) {
-        stay_with_shown_body();
+        give_up_what_waits();
         screen_.failed(title, failure);
     };
     job.cancelled = [this] {
-        const std::size_t steps = stay_with_shown_body();
-        const QString said = steps == 0
-                                 ? Words::tr("Cancelled: what was undone is there again")
-                                 : Words::tr("%n correction(s) taken back; Redo makes them again",
-                                             nullptr, static_cast<int>(steps));
-        screen_.say(said.toStdString());
+        const Workspace::GivenUp given_up = give_up_what_waits();
+        screen_.say(said_of(given_up, workspace_.awaits_body()).toStdString());
     };
     jobs_.replace(std::move(job), turn);
 }
@@ -123,11 +141,12 @@ BackgroundJob::Work PatientKeeper::correction() {
     };
 }
 
-std::size_t PatientKeeper::stay_with_shown_body() {
+Workspace::GivenUp PatientKeeper::give_up_what_waits() {
     go_ = nullptr;
-    const std::size_t steps = workspace_.give_up_edits();
-    screen_.changed();
-    return steps;
+    const Workspace::GivenUp given_up = workspace_.give_up_edits();
+    // A case that waits to be saved holds what is left.
+    workspace_.awaits_body() ? correct(JobQueue::Turn::next) : screen_.changed();
+    return given_up;
 }
 
 }  // namespace hepatica

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 #include <utility>
 
 #include "core/patient/corrections.h"
@@ -21,11 +22,11 @@ Workspace::Edits take_last_step(Workspace::Edits& from) {
     return taken;
 }
 
-// `from` without these, each of which is taken out once.
-Workspace::Edits without(Workspace::Edits from, const Workspace::Edits& these) {
-    for (const TreeEdit& edit : these)
-        if (const auto found = std::ranges::find(from, edit); found != from.end())
-            from.erase(found);
+// `from` without these, which are its last corrections of the tree.
+Workspace::Edits without_last(Workspace::Edits from, const Workspace::Edits& these) {
+    for (auto edit = these.rbegin(); edit != these.rend(); ++edit)
+        if (const auto found = std::find(from.rbegin(), from.rend(), *edit); found != from.rend())
+            from.erase(std::next(found).base());
     return from;
 }
 
@@ -252,16 +253,39 @@ void Workspace::redo_remaking() {
     remade_.push_back(std::move(remaking));
 }
 
-std::size_t Workspace::give_up_edits() {
-    if (!awaits_body()) return 0;
-    const Edits made = made_edits();
-    const Edits back = without(made, edits_);
-    std::erase_if(undone_, [&back](const Edits& step) { return without(step, back).empty(); });
-    std::size_t steps = 0;
-    for (Edits waiting = without(edits_, made); !waiting.empty(); ++steps)
-        undone_.push_back(take_last_step(waiting));
-    want(made);
-    return steps;
+Workspace::GivenUp Workspace::give_up_edits() {
+    if (!awaits_body()) return {};
+    const Edits body = tree_edits(patient_->corrections.edits);
+    const Edits wanted = tree_edits(edits_);
+    auto [undone, younger] = std::ranges::mismatch(body, wanted);
+    while (younger != wanted.begin() && younger != wanted.end() &&
+           of_one_step(*std::prev(younger), *younger)) {
+        --undone;
+        --younger;
+    }
+    GivenUp given_up;
+    if (younger == wanted.end()) {
+        given_up.lost = take_from_undone(Edits(undone, body.end()));
+        want(made_edits());
+        return given_up;
+    }
+    Edits waiting(younger, wanted.end());
+    want(without_last(edits_, waiting));
+    for (; !waiting.empty(); ++given_up.steps) undone_.push_back(take_last_step(waiting));
+    return given_up;
+}
+
+std::size_t Workspace::take_from_undone(const Edits& again) {
+    auto next = again.begin();
+    for (auto step = undone_.end(); step != undone_.begin() && next != again.end();) {
+        const Edits of_tree = tree_edits(*--step);
+        if (of_tree.empty()) continue;
+        const Edits rest(next, again.end());
+        if (!std::ranges::equal(of_tree, rest | std::views::take(of_tree.size()))) break;
+        next += static_cast<std::ptrdiff_t>(of_tree.size());
+        step = undone_.erase(step);
+    }
+    return next == again.end() ? 0 : std::erase_if(undone_, change_tree);
 }
 
 bool Workspace::measure(std::vector<KeptMeasurement> measured) {

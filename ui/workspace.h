@@ -100,10 +100,14 @@ class Workspace {
     // Returns to remaking_again(), if that is not null. Its strokes are in the vessels again, and
     // what was undone after it can be redone.
     void redo_remaking();
-    // No other body will come: returns to the corrections of the shown one. Those that it lacks can
-    // be redone, in their order; what was undone of its own is there again. Returns how many steps
-    // can be redone by that.
-    std::size_t give_up_edits();
+    struct GivenUp {
+        std::size_t steps = 0;  // that can be redone by that
+        std::size_t lost = 0;   // that could be redone, but not after what is there again
+    };
+    // The body that is being made will not come. Corrections that the shown body lacks are taken
+    // back and can be redone, in their order; if something was undone before them, that still
+    // awaits its body. Where only undone ones wait, these are there again, and nothing waits.
+    GivenUp give_up_edits();
 
     // --- strokes at the vessel mask, which wait for a rebuild ---
     const std::vector<PendingStroke>& strokes() const { return strokes_.made(); }
@@ -153,6 +157,10 @@ class Workspace {
 
     void want(Edits edits);
     void forget_undone();
+    // These corrections, which were undone, are there again: takes them out of what can be redone.
+    // If something else was done after they were undone, no redo of the tree fits any more; returns
+    // how many steps are lost by that.
+    std::size_t take_from_undone(const Edits& again);
     void show_other(std::shared_ptr<const PatientCase> patient);
     Edits added_since(const Edits& begun_with) const;
 

@@ -160,8 +160,8 @@ class Person {
             if (said.starts_with("Saved ")) {
                 name_ = said.substr(said.rfind('/') + 1);
                 never_saved_ = false;
-            } else if (said.ends_with("taken back; Redo makes them again") ||
-                       said == "Cancelled: what was undone is there again") {
+            } else if (said.find("taken back; Redo makes them again") != std::string::npos ||
+                       said.starts_with("Cancelled: what was undone is there again")) {
                 give_up_what_waits();
             }
         }
@@ -170,16 +170,23 @@ class Person {
                 std::erase_if(wanted_, [](int number) { return number < 0; });
     }
 
-    // All that has no body yet can be redone, in its order, and nothing else is given up; what was
-    // undone of the body is there again.
+    // What the body lacks can be redone, in its order. Only where nothing of that kind waits is
+    // what was undone of the body there again; then what was done after that Undo fits no more.
     void give_up_what_waits() {
         const Numbers made = numbers_of(ward_.workspace().patient()->corrections.edits);
-        const auto is_made = [&made](int number) {
-            return std::ranges::find(made, number) != made.end();
-        };
-        std::erase_if(undone_, is_made);
-        std::ranges::reverse(wanted_);
-        std::ranges::remove_copy_if(wanted_, std::back_inserter(undone_), is_made);
+        auto [undone, younger] = std::ranges::mismatch(made, wanted_);
+        if (younger != wanted_.end()) {
+            std::reverse_copy(younger, wanted_.end(), std::back_inserter(undone_));
+            wanted_.erase(younger, wanted_.end());
+            return;
+        }
+        for (; undone != made.end(); ++undone) {
+            if (undone_.empty() || undone_.back() != *undone) {
+                undone_.clear();
+                break;
+            }
+            undone_.pop_back();
+        }
         wanted_ = made;
     }
 

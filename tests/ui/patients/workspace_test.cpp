@@ -246,7 +246,7 @@ TEST(Workspace, giving_up_goes_back_to_what_is_shown) {
     workspace.give_up_edits();
     EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
     EXPECT_FALSE(workspace.next_redo());
-    EXPECT_EQ(workspace.give_up_edits(), 0u) << "nothing waits";
+    EXPECT_EQ(workspace.give_up_edits().steps, 0u) << "nothing waits";
 }
 
 TEST(Workspace, what_is_given_up_before_its_body_can_be_redone_step_by_step) {
@@ -260,7 +260,7 @@ TEST(Workspace, what_is_given_up_before_its_body_can_be_redone_step_by_step) {
     workspace.add_all({edit(3), edit(4)});
     workspace.add(edit(5));
     workspace.undo();
-    EXPECT_EQ(workspace.give_up_edits(), 2u);
+    EXPECT_EQ(workspace.give_up_edits().steps, 2u);
     EXPECT_EQ(workspace.edits(), (Workspace::Edits{edit(1), stroke}));
     std::vector<Numbers> redone;
     while (workspace.next_redo()) {
