@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -109,7 +110,10 @@ void CaseEditing::show_body() {
 // Doubts about an uncorrected tree are shown when it is opened. Fewer loops are no new doubt.
 void CaseEditing::warn_of_new_doubts() {
     const VesselTree& tree = workspace_.patient()->tree;
-    const std::vector<std::string> before = std::exchange(doubts_, sentences(std::nullopt, tree));
+    std::vector<std::string> now = doubts_of_links(*workspace_.patient());
+    std::ranges::copy(sentences(std::nullopt, tree), std::back_inserter(now));
+    std::vector<std::string> before = std::exchange(doubts_, std::move(now));
+    std::ranges::move(std::exchange(told_of_link_, {}), std::back_inserter(before));
     const int loops_before = std::exchange(loops_, doubts_of(tree).loops);
     QStringList fresh = given_apart();
     if (workspace_.patient()->corrections.edits.empty()) return;
@@ -230,6 +234,7 @@ void CaseEditing::warn_of_link(const TreeEdit& link, const std::vector<std::stri
     QStringList lines;
     for (const std::string& doubt : doubts) lines << translated(doubt);
     callbacks_.warn_of_link(lines.join("\n"), link);
+    std::ranges::copy(doubts, std::back_inserter(told_of_link_));
 }
 
 void CaseEditing::update_panel() {

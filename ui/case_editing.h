@@ -125,6 +125,7 @@ class CaseEditing {
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
     std::vector<std::string> doubts_;           // of the shown body
+    std::vector<std::string> told_of_link_;     // before the body of the link was there
     int loops_ = 0;                             // number of loops among doubts_
     std::shared_ptr<const PatientCase> shown_;  // whose body is shown
     std::uint64_t origin_ = 0, opening_ = 0;    // of the workspace then

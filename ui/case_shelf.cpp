@@ -15,6 +15,7 @@
 #include "core/base/hash.h"
 #include "core/flow/flow_shares.h"
 #include "core/lesson/attempts.h"
+#include "core/patient/corrections.h"
 #include "core/patient/patient_case.h"
 #include "core/tree/system_summary.h"
 #include "render/palette.h"
@@ -69,7 +70,8 @@ QString sentence_of(const std::vector<Attempt>& attempts) {
 // What is told when the case is opened, in the same order.
 std::vector<std::string> warnings_of(const PatientCase& patient) {
     std::vector<std::string> warnings = warnings_of_ends(patient.tree, flow_shares(patient.tree));
-    for (const auto& list : {patient.warnings, sentences(patient.doubts, patient.tree)})
+    for (const auto& list :
+         {patient.warnings, doubts_of_links(patient), sentences(patient.doubts, patient.tree)})
         for (const std::string& warning : list) warnings.push_back(in_window_words(warning));
     return warnings;
 }

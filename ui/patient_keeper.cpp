@@ -236,7 +236,7 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
         const auto warnings =
-            said_of_remade(loaded->patient->tree, loaded->flow_shares, std::move(made.warnings));
+            said_of_remade(*loaded->patient, loaded->flow_shares, std::move(made.warnings));
         return [this, before, loaded, strokes, warnings] {
             workspace_.show_remade(before, loaded->patient, strokes, warnings);
             loaded->warnings = workspace_.warnings();

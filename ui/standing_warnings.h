@@ -10,13 +10,14 @@
 
 namespace hepatica {
 
-// All that is said of his vessels as they are: ends that take most of the flow, roots, doubts, a
-// body that meets itself; in the words of the window. Empty without a tree.
+// All that is said of his vessels as they are: ends that take most of the flow, doubtful links by
+// hand, roots, doubts, a body that meets itself; in the words of the window. Empty without a tree.
 std::vector<std::string> said_of_vessels(const PatientCase& patient);
 
-// Of vessels that were made anew: ends that take most of the flow, and what their making warned of.
-// `shares` as from flow_shares().
-std::vector<std::string> said_of_remade(const VesselTree& tree, const std::vector<double>& shares,
+// Of vessels that were made anew: ends that take most of the flow, doubtful links by hand, and what
+// their making warned of. `shares` as from flow_shares().
+std::vector<std::string> said_of_remade(const PatientCase& patient,
+                                        const std::vector<double>& shares,
                                         std::vector<std::string> warnings);
 
 // Of what was told those sentences that are not about the vessels or are still said of them, behind

@@ -17,6 +17,7 @@
 #include "core/opening/scan_name.h"
 #include "core/patient/case_archive.h"
 #include "core/patient/case_header.h"
+#include "core/patient/corrections.h"
 #include "core/reconstruction/built_in_patient.h"
 #include "core/tree/files/tree_io.h"
 
@@ -55,15 +56,15 @@ OpenedPatient opened_from(Reconstruction made) {
     return opened;
 }
 
-// What its reconstruction warned of, and the doubts about its vessels as they are now.
+// What its reconstruction warned of, and the doubts about its vessels and links as they are now.
 void tell_warnings_of_case(OpenedPatient& opened) {
     const PatientCase& patient = *opened.patient;
     opened.warnings = patient.warnings;
     opened.warnings_of_image.assign(
         patient.warnings.begin(),
         patient.warnings.begin() + static_cast<std::ptrdiff_t>(patient.warnings_of_image));
-    for (std::string& doubt : sentences(patient.doubts, patient.tree))
-        opened.warnings.push_back(std::move(doubt));
+    for (const auto& doubts : {doubts_of_links(patient), sentences(patient.doubts, patient.tree)})
+        opened.warnings.insert(opened.warnings.end(), doubts.begin(), doubts.end());
 }
 
 OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {

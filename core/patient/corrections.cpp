@@ -16,6 +16,7 @@
 #include "core/patient/case_header.h"
 #include "core/patient/liver_segments.h"
 #include "core/patient/painted_tumours.h"
+#include "core/tree/editing/doubtful_link.h"
 
 namespace hepatica {
 
@@ -29,13 +30,30 @@ std::vector<int> root_of_segments(const VesselTree& tree) {
     return root;
 }
 
+// Whether the vessels nearest to these places are of one tree. The tree must have segments.
+bool hang_together(const VesselTree& tree, const Vec3& first_mm, const Vec3& second_mm) {
+    const std::vector<int> root = root_of_segments(tree);
+    return root[nearest_point(tree, first_mm).segment] ==
+           root[nearest_point(tree, second_mm).segment];
+}
+
 bool fits(const VesselTree& tree, const Bridge& bridge) {
     if (tree.segments.empty()) return false;
     if (bridge.is_branch()) return leads_out_of(tree, bridge);
-    const std::vector<int> root = root_of_segments(tree);
-    const int from = nearest_point(tree, bridge.path_mm.front()).segment;
-    const int to = nearest_point(tree, bridge.path_mm.back()).segment;
-    return root[from] != root[to];
+    return !hang_together(tree, bridge.path_mm.front(), bridge.path_mm.back());
+}
+
+// Whether this link, made on the tree `before`, still joins what it joined. A vessel that was
+// deleted since is farther from the link's end than it was.
+bool still_joins(const TreeEdit& link, const VesselTree& before, const VesselTree& now) {
+    constexpr double moved_mm = 1.0;  // by the cut of another link, or the gap of a cut
+    if (now.segments.empty()) return false;
+    const auto is_there = [&](const Vec3& end_mm) {
+        return nearest_point(now, end_mm).distance_mm <=
+               nearest_point(before, end_mm).distance_mm + moved_mm;
+    };
+    return is_there(link.at_mm) && is_there(link.to_mm) &&
+           hang_together(now, link.at_mm, link.to_mm);
 }
 
 VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
@@ -218,6 +236,26 @@ std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence,
         waiting = std::move(left);
     }
     return accepted;
+}
+
+std::vector<std::string> doubts_of_links(const PatientCase& patient) {
+    const std::vector<TreeEdit>& edits = patient.corrections.edits;
+    std::vector<std::string> doubts;
+    VesselTree tree = patient.corrections.extracted;
+    auto made = edits.begin();  // in `tree`
+    try {
+        for (auto link = made; link != edits.end(); ++link) {
+            if (link->kind != TreeEditKind::add_link) continue;
+            for (; made != link; ++made) tree = edited(tree, *made);
+            if (!still_joins(*link, tree, patient.tree)) continue;
+            for (std::string& doubt : doubts_of_link(tree, *link))
+                if (std::ranges::find(doubts, doubt) == doubts.end())
+                    doubts.push_back(std::move(doubt));
+        }
+    } catch (const InputError&) {
+        // Of an edit that another program made, and that this one cannot: doubts before it count.
+    }
+    return doubts;
 }
 
 PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeEdit>& edits) {

@@ -62,6 +62,11 @@ MeshOptions mesh_options_of(const PatientCase& patient);
 // The case with another list of edits but its old body, for previews. Throws as with_edits() does.
 PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeEdit>& edits);
 
+// What is doubtful about the links by hand among the edits (doubtful_link.h), each against the tree
+// that it was made on. Not of a link that joins its two ends no more, because it was cut or one of
+// them was deleted. One sentence stands once.
+std::vector<std::string> doubts_of_links(const PatientCase& patient);
+
 // The case with exactly these edits applied to the extracted tree. Mesh and surface are made anew
 // as `source.parameters_json` says, unless only tumour strokes differ. Where `patient` holds
 // voxels, its organs follow the strokes and the liver's segments are made anew. An unchanged list

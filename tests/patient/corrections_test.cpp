@@ -268,6 +268,34 @@ TEST(Corrections, ACutShowsAGapBetweenTheSurfaces) {
     EXPECT_EQ(hash_of(with_edits(parted, {}, job)), hash_of(patient));
 }
 
+// From the beginning of the trunk to the vessel that lies apart, across the liver.
+TEST(Corrections, ALinkIsDoubtedAsLongAsItJoinsWhatItJoined) {
+    PatientCase patient;
+    patient.tree = test::parted_tree();
+    TreeEdit link, other, cut;
+    link.kind = TreeEditKind::add_link;
+    link.at_mm = Vec3(0.02, 4, 0.6);
+    link.to_mm = Vec3(37, 54.5, 4);
+    const Vec3 middle_mm = 0.5 * (link.at_mm + link.to_mm);
+    other.kind = TreeEditKind::seed_system;
+    other.at_mm = Vec3(-8.6, 28, 4.4);
+    other.system = VascularSystem::portal;
+    cut.kind = TreeEditKind::cut_link;
+    cut.at_mm = middle_mm;
+    const auto doubts = [&](const std::vector<TreeEdit>& edits) {
+        return doubts_of_links(with_edited_tree(patient, edits));
+    };
+    EXPECT_TRUE(doubts({}).empty());
+    EXPECT_TRUE(doubts({other}).empty());
+    ASSERT_EQ(doubts({link}).size(), 1u);
+    EXPECT_NE(doubts({link})[0].find("from wall to wall, farther than"), std::string::npos);
+    EXPECT_EQ(doubts({other, link}), doubts({link}));
+    EXPECT_EQ(doubts({link, other}), doubts({link}));
+    EXPECT_TRUE(doubts({link, cut}).empty());
+    EXPECT_TRUE(doubts({link, deletion_at(middle_mm)}).empty());
+    EXPECT_EQ(doubts({link, cut, link}), doubts({link})) << "once, of the second alone";
+}
+
 TEST(Corrections, NamesTheEditThatCannotBeDone) {
     const PatientCase patient = patient_with_bridges();
     Job job;

@@ -197,6 +197,31 @@ TEST_F(Editing, a_link_that_may_be_a_mistake_is_warned_of_at_once_and_can_be_und
         << window_.log().as_text().toStdString();
 }
 
+TEST_F(Editing, a_doubtful_link_is_a_warning_of_the_case_as_long_as_it_stands) {
+    const auto is_warning = [this] {
+        return std::ranges::any_of(window_.workspace().warnings(), [](const std::string& warning) {
+            return warning.find("from wall to wall, farther than") != std::string::npos;
+        });
+    };
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Link two vessels");
+    click(Vec3(0.02, 4, 0.6));
+    click(Vec3(37, 54.5, 4));
+    EXPECT_TRUE(is_warning());
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_FALSE(is_warning());
+    window_.actions()[ActionId::redo_edit].trigger();
+    wait();
+    EXPECT_TRUE(is_warning());
+    EXPECT_TRUE(window_.messages().text().contains("from wall to wall, farther than"))
+        << "also above the view: " << window_.messages().text().toStdString();
+    saved();
+    window_.open(folder_.filePath("p.hep"));
+    wait();
+    EXPECT_TRUE(is_warning()) << "opened anew";
+}
+
 TEST_F(Editing, the_first_vessel_of_a_link_is_marked_until_the_second_is_chosen) {
     const auto marks = [this] { return window_.view().scene().marks(); };
     window_.actions()[ActionId::edit_mode].trigger();
