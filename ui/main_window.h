@@ -232,6 +232,8 @@ class MainWindow : public QMainWindow {
     // To look back on, or to compare with the one that is shown.
     std::optional<std::filesystem::path> ask_for_recording(const std::filesystem::path& shown = {});
     void ask_for_reconstruction();
+    // Draws the seeds of the shown case, and remembers the masks of one that was just made.
+    void show_what_it_was_made_with();
     void ask_where_to_save_picture();
     void ask_where_to_archive();
     QString proposed_file(const QString& called) const;
@@ -391,6 +393,8 @@ class MainWindow : public QMainWindow {
     QString place_message_;   // asks for a place of a lesson
     // Of the last reconstruction asked for, until a patient is shown: it may fail.
     QStringList reconstruction_entries_;
+    ReconstructOptions reconstruction_;         // likewise, with absolute paths
+    std::vector<VesselSeed> seeds_of_entries_;  // in the slices when it was asked for
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // after closing

@@ -32,7 +32,6 @@
 #include "ui/on_screen.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
-#include "ui/patient_wizard.h"
 #include "ui/plain_text.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
@@ -131,21 +130,6 @@ std::optional<std::filesystem::path> MainWindow::which_case() {
 
 void MainWindow::ask_for_case() {
     if (const auto place = which_case()) open(to_text(*place));
-}
-
-void MainWindow::ask_for_reconstruction() {
-    PatientWizard wizard(settings_.last_folder(), this);
-    if (!reconstruction_entries_.empty())
-        wizard.set_entries(reconstruction_entries_);
-    else if (!workspace().image().empty())
-        wizard.set_ct(to_text(workspace().image()), workspace().series());
-    else if (patient_)
-        wizard.set_ct(settings_.place_of_image(workspace().patient()->source.image_sha256));
-    if (const auto& seeds = view_layout_->slices().seeds().seeds(); !seeds.empty())
-        wizard.set_seeds(seeds);
-    if (wizard.exec() != QDialog::Accepted) return;
-    reconstruction_entries_ = wizard.entries();
-    open(OpenRequest{false, wizard.options()});
 }
 
 // Of a file about the patient, such as "NAME picture.png".

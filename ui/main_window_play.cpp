@@ -73,7 +73,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     editing_->show_body();
     const std::size_t lost = show_in_slices(corrected);
     if (!corrected) {
-        reconstruction_entries_.clear();
+        show_what_it_was_made_with();
         // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
         liver_->show_patient(patient_->patient, patient_->folder);

@@ -191,8 +191,57 @@ void PatientWizard::set_seeds(const std::vector<VesselSeed>& seeds) {
         QStringList places;
         for (const VesselSeed& seed : seeds)
             if (seed.system == system) places << patient_place(seed.position_mm, decimals);
-        if (!places.isEmpty()) edit->setText(places.join("; "));
+        if (!places.isEmpty()) fill(*edit, places.join("; "));
     }
+}
+
+void PatientWizard::fill(QLineEdit& edit, const QString& text) {
+    edit.setText(text);
+    filled_.emplace_back(&edit, text);
+    filled_for_ = ct_->text().trimmed();
+}
+
+void PatientWizard::forget_filled() {
+    bool forgotten = false;
+    filled_for_.reset();
+    for (const auto& [edit, text] : std::exchange(filled_, {})) {
+        if (edit->text() != text) continue;
+        edit->clear();
+        forgotten = true;
+    }
+    problem_->setText(forgotten ? Words::tr("Seeds and masks of the other CT were taken out.")
+                                : QString());
+}
+
+void PatientWizard::set_given(const GivenParts& given, const Settings::MaskPlaces& known) {
+    const bool anything = given.liver_mask || given.vessel_mask || given.tumour_masks > 0 ||
+                          given.window_hu || !given.seeds.empty();
+    if (anything && ct_->text().trimmed().isEmpty()) {
+        problem_->setText(
+            Words::tr("The present case was made with seeds, masks or a window. They "
+                      "are offered here once it is known where its CT lies: choose "
+                      "it in the slices (F7)."));
+        return;
+    }
+    filled_for_ = ct_->text().trimmed();
+    QStringList missing;
+    const auto offer_mask = [&](bool was_given, QLineEdit& edit, const QString& place,
+                                const QString& name) {
+        if (!was_given) return;
+        place.isEmpty() ? void(missing << name) : fill(edit, place);
+    };
+    offer_mask(given.liver_mask, *liver_mask_, known.liver, Words::tr("a liver mask"));
+    offer_mask(given.vessel_mask, *vessel_mask_, known.vessel, Words::tr("a vessel mask"));
+    const int tumours = static_cast<int>(given.tumour_masks);
+    const bool knows_all = known.tumours.size() == tumours;
+    offer_mask(tumours > 0, *tumour_masks_, knows_all ? known.tumours.join("; ") : QString(),
+               Words::tr("%n tumour mask(s)", nullptr, tumours));
+    if (given.window_hu)
+        fill(*window_, QString("%1 %2").arg(given.window_hu->first).arg(given.window_hu->second));
+    if (!missing.isEmpty())
+        problem_->setText(Words::tr("The present case was made with %1, and it is not known where "
+                                    "that lies. Choose it again, or the new case is without it.")
+                              .arg(missing.join(", ")));
 }
 
 QStringList PatientWizard::entries() const {
@@ -218,6 +267,7 @@ void PatientWizard::look_for_series() {
     const std::filesystem::path folder = to_path(ct_->text().trimmed());
     // The field tells so whenever it loses the focus: the series chosen then stays.
     if (std::exchange(looked_in_, folder) == folder) return;
+    if (filled_for_ && ct_->text().trimmed() != *filled_for_) forget_filled();
     listing_.reset();
     offer({});
     std::error_code unreadable;  // then opening it will say why

@@ -9,9 +9,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/reconstruction/reconstruct.h"
+#include "core/reconstruction/reconstruct_parameters.h"
+#include "ui/settings.h"
 
 class QComboBox;
 class QFormLayout;
@@ -34,7 +37,10 @@ class PatientWizard : public QDialog {
     // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
-    // In place of those in the fields of their systems.
+    // Offers again what the present case was made with: its window, and those masks whose places
+    // are known. Names the others, to be chosen again, and says so where no CT is in its field.
+    void set_given(const GivenParts& given, const Settings::MaskPlaces& known);
+    // In place of those in the fields of their systems. They are of the CT in its field.
     void set_seeds(const std::vector<VesselSeed>& seeds);
     // What all fields hold, as it was typed, to be set in a later dialog.
     QStringList entries() const;
@@ -46,6 +52,9 @@ class PatientWizard : public QDialog {
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
     // Lists the series of the CT's folder in the background and offers them if there are several.
     void look_for_series();
+    void fill(QLineEdit& edit, const QString& text);
+    // Takes out what was filled in for another CT and still stands there.
+    void forget_filled();
     void offer(const std::vector<SeriesDescription>& series);
 
     QString folder_;
@@ -64,6 +73,8 @@ class PatientWizard : public QDialog {
     std::filesystem::path chosen_in_;  // whose series set_ct() named
     int chosen_ = 0;                   // its number; 0: none was named
     std::unique_ptr<BackgroundJob> listing_;
+    std::vector<std::pair<QLineEdit*, QString>> filled_;  // with the text
+    std::optional<QString> filled_for_;                   // the CT, as typed
 };
 
 // Numbers in "12,5 -3; 40": separated by blanks or semicolons, with decimal comma or point. Throws

@@ -21,6 +21,9 @@ const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
 const char* const unframed_key = "window/unframed";
 const char* const images_key = "images";
+const char* const liver_masks_key = "liver_masks";
+const char* const vessel_masks_key = "vessel_masks";
+const char* const tumour_masks_key = "tumour_masks";
 const char* const folder_key = "last_folder";
 const char* const patients_key = "patients";
 const char* const theme_key = "theme";
@@ -40,7 +43,8 @@ const char* const case_folder_key = "case_folder";
 const char* const self_contact_key = "contact/vessels";
 const char* const obstacles_key = "contact/obstacles";
 const char* const friction_key = "contact/friction";
-constexpr qsizetype most_places = 50;  // of each group
+constexpr QChar place_separator = u'\n';  // of several in one value
+constexpr qsizetype most_places = 50;     // of each group
 
 // Places by key in a group of the settings. Beside the group lies a list of its keys, those used
 // last first. Keys that it lacks are of an older program, or of one that ran at the same time, and
@@ -146,6 +150,30 @@ void Settings::remember_image(const std::string& sha256, const QString& path) {
         remember_in(*store_, images_key, QString::fromStdString(sha256), place);
     else
         images_in_safe_mode_[sha256] = place;
+}
+
+Settings::MaskPlaces Settings::places_of_masks(const std::string& image_sha256) {
+    if (image_sha256.empty()) return {};
+    if (!store_) {
+        const auto found = masks_in_safe_mode_.find(image_sha256);
+        return found == masks_in_safe_mode_.end() ? MaskPlaces{} : found->second;
+    }
+    const QString key = QString::fromStdString(image_sha256);
+    return {place_in(*store_, liver_masks_key, key), place_in(*store_, vessel_masks_key, key),
+            place_in(*store_, tumour_masks_key, key).split(place_separator, Qt::SkipEmptyParts)};
+}
+
+void Settings::remember_masks(const std::string& image_sha256, const MaskPlaces& places) {
+    if (image_sha256.empty()) return;
+    if (!store_) {
+        masks_in_safe_mode_[image_sha256] = places;
+        return;
+    }
+    const QString key = QString::fromStdString(image_sha256);
+    for (const auto& [group, place] :
+         {std::pair(liver_masks_key, places.liver), std::pair(vessel_masks_key, places.vessel),
+          std::pair(tumour_masks_key, places.tumours.join(place_separator))})
+        if (!place.isEmpty()) remember_in(*store_, group, key, place);
 }
 
 QString Settings::recordings_folder() const {

@@ -52,6 +52,15 @@ class Settings {
     QString place_of_image(const std::string& sha256);
     void remember_image(const std::string& sha256, const QString& path);
 
+    // Places of the masks that a case was made with from the CT with this digest, for the same
+    // reason kept here and never in a case. Empty: not known.
+    struct MaskPlaces {
+        QString liver{}, vessel{};
+        QStringList tumours{};
+    };
+    MaskPlaces places_of_masks(const std::string& image_sha256);
+    void remember_masks(const std::string& image_sha256, const MaskPlaces& places);
+
     // Where the case lay of a patient with this hash (hash_of()) who was recorded; empty where that
     // is not known. A recording names its patient by the hash alone.
     QString place_of_patient(std::uint64_t hash);
@@ -136,7 +145,8 @@ class Settings {
     QString folder_in_safe_mode_, case_folder_in_safe_mode_;
     std::map<Kind, QString> folders_in_safe_mode_;
     std::map<std::uint64_t, QString> patients_in_safe_mode_;
-    std::map<std::string, QString> images_in_safe_mode_;  // by digest
+    std::map<std::string, QString> images_in_safe_mode_;    // by digest
+    std::map<std::string, MaskPlaces> masks_in_safe_mode_;  // by the CT's digest
 };
 
 }  // namespace hepatica

@@ -44,6 +44,8 @@ std::string list_of_systems();
 struct VesselSeed {
     Vec3 position_mm = Vec3::Zero();
     VascularSystem system = VascularSystem::unknown;
+
+    bool operator==(const VesselSeed&) const = default;
 };
 
 }  // namespace hepatica

@@ -23,6 +23,26 @@ std::optional<Vec3> place_in(const nlohmann::json& json) {
     return Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
 }
 
+// Without malformed ones.
+std::vector<VesselSeed> seeds_in(const nlohmann::json& json) {
+    std::vector<VesselSeed> seeds;
+    if (!json.contains("seeds") || !json["seeds"].is_array()) return seeds;
+    for (const auto& seed : json["seeds"]) {
+        try {
+            const auto at = seed.at("position_mm").get<std::array<double, 3>>();
+            const auto system = system_named(seed.at("system").get<std::string>());
+            if (system) seeds.push_back({Vec3(at[0], at[1], at[2]), *system});
+        } catch (const nlohmann::json::exception&) {
+            continue;
+        }
+    }
+    return seeds;
+}
+
+bool says(const nlohmann::json& json, const char* key) {
+    return json.contains(key) && json[key].is_boolean() && json[key].get<bool>();
+}
+
 }  // namespace
 
 bool takes_models(const ReconstructOptions& options) {
@@ -73,6 +93,24 @@ void keep_systems_given(bool given, std::string& parameters_json) {
     parameters_json = json.dump();
 }
 
+GivenParts given_parts(const std::string& parameters_json) {
+    GivenParts given;
+    const auto json = nlohmann::json::parse(parameters_json, nullptr, false);
+    if (!json.is_object()) return given;
+    given.liver_mask = says(json, "liver_mask_given");
+    given.vessel_mask = says(json, "vessel_mask_given");
+    if (json.contains("tumour_masks_given") && json["tumour_masks_given"].is_number_unsigned())
+        given.tumour_masks = json["tumour_masks_given"].get<std::size_t>();
+    if (json.contains("window_hu")) {
+        const auto& window = json["window_hu"];
+        if (window.is_array() && window.size() == 2 && window[0].is_number() &&
+            window[1].is_number())
+            given.window_hu = {window[0].get<double>(), window[1].get<double>()};
+    }
+    given.seeds = seeds_in(json);
+    return given;
+}
+
 FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
     FromVoxelsOptions options;
     const auto json = nlohmann::json::parse(parameters_json, nullptr, false);
@@ -80,20 +118,10 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
     const auto has = [&](const char* key, auto is) {
         return json.contains(key) && (json[key].*is)();
     };
-    if (has("seeds", &nlohmann::json::is_array))
-        for (const auto& seed : json["seeds"]) {
-            try {
-                const auto at = seed.at("position_mm").get<std::array<double, 3>>();
-                const auto system = system_named(seed.at("system").get<std::string>());
-                if (system) options.seeds.push_back({Vec3(at[0], at[1], at[2]), *system});
-            } catch (const nlohmann::json::exception&) {
-                continue;
-            }
-        }
+    options.seeds = seeds_in(json);
     // Systems of a given mask are kept. An older case does not say whether its mask had some.
     const char* said = json.contains(systems_given_key) ? systems_given_key : "vessel_mask_given";
-    const bool given = has(said, &nlohmann::json::is_boolean) && json[said].get<bool>();
-    options.find_systems = !options.seeds.empty() || !given;
+    options.find_systems = !options.seeds.empty() || !says(json, said);
     if (has("bridge_confidence", &nlohmann::json::is_number))
         options.bridge_confidence = json["bridge_confidence"].get<double>();
     if (json.contains("thinning") && json["thinning"] == "parallel")

@@ -2,8 +2,11 @@
 // The parameters of a reconstruction that its case keeps, as JSON.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/reconstruction/reconstruct.h"
 
@@ -23,6 +26,18 @@ void keep_portal_trunk(const std::optional<Vec3>& trunk_mm, std::string& paramet
 // Keeps whether the given vessel mask said which vessel is of which system: those of one number are
 // told apart, when the case is remade as well.
 void keep_systems_given(bool given, std::string& parameters_json);
+
+// What a person gave for a reconstruction, as far as its case tells.
+struct GivenParts {
+    bool liver_mask = false;
+    bool vessel_mask = false;
+    std::size_t tumour_masks = 0;  // how many
+    std::optional<std::pair<double, double>> window_hu{};
+    std::vector<VesselSeed> seeds{};
+};
+
+// Missing or malformed values count as not given.
+GivenParts given_parts(const std::string& parameters_json);
 
 // Reads the options that decide how a tree is made from voxels. Missing or malformed values take
 // their defaults; malformed seeds are left out.

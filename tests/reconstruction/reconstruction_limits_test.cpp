@@ -234,6 +234,21 @@ TEST(ReconstructionLimits, TheParametersInFull) {
               R"("bridge_confidence":0.75,"refinement_recursions":2,"spacing_mm":0.5,"mesh":{)"
               R"("facet_size_in_radii":0.9,"cell_size_in_radii":1.0,)"
               R"("target_tetrahedra":100,"minimum_radius_mm":0.0}})");
+    const GivenParts given = given_parts(parameters_json(options));
+    EXPECT_TRUE(given.liver_mask);
+    EXPECT_TRUE(given.vessel_mask);
+    EXPECT_EQ(given.tumour_masks, 2u);
+    EXPECT_EQ(given.window_hu, options.window_hu);
+    EXPECT_EQ(given.seeds, options.seeds);
+    for (const std::string& nothing :
+         {parameters_json({}), std::string("[]"), std::string("no JSON"),
+          std::string(R"({"liver_mask_given":1,"vessel_mask_given":"x","tumour_masks_given":-2,)"
+                      R"("window_hu":[1],"seeds":[{"position_mm":[1,2]}]})")}) {
+        const GivenParts none = given_parts(nothing);
+        EXPECT_FALSE(none.liver_mask || none.vessel_mask || none.window_hu) << nothing;
+        EXPECT_EQ(none.tumour_masks, 0u) << nothing;
+        EXPECT_TRUE(none.seeds.empty()) << nothing;
+    }
     ReconstructOptions built_in;
     built_in.liver_mask = "x";
     built_in.seeds = {{Vec3::Zero(), VascularSystem::portal}};

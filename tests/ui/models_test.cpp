@@ -148,6 +148,29 @@ TEST(Settings, keep_the_fifty_places_that_were_used_last) {
     }
 }
 
+// Paths often hold patients' names, so that a case keeps none.
+TEST(Settings, know_the_masks_that_a_case_was_made_with) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    const std::string ct(64, 'a');
+    Settings safe(Settings::Mode::safe);
+    {
+        Settings settings(file);
+        for (Settings* kept : {&settings, &safe})
+            kept->remember_masks(ct, {"/liver.nii", "", {"/one; two.nii", "/three.nii"}});
+        settings.remember_masks("", {"/nothing", "", {}});
+    }
+    Settings again(file);
+    for (Settings* kept : {&again, &safe}) {
+        const Settings::MaskPlaces known = kept->places_of_masks(ct);
+        EXPECT_EQ(known.liver, "/liver.nii");
+        EXPECT_EQ(known.vessel, "");
+        EXPECT_EQ(known.tumours, (QStringList{"/one; two.nii", "/three.nii"}));
+        EXPECT_EQ(kept->places_of_masks(std::string(64, 'b')).liver, "");
+        EXPECT_EQ(kept->places_of_masks("").liver, "");
+    }
+}
+
 // Nobody knows when they were used.
 TEST(Settings, of_an_older_program_lose_the_places_above_fifty) {
     QTemporaryDir folder;

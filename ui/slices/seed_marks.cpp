@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slices/seed_marks.h"
 
+#include <utility>
+
 namespace hepatica {
 
 void SeedMarks::take(std::optional<VascularSystem> system) {
@@ -22,9 +24,15 @@ void SeedMarks::remove_last() {
 }
 
 void SeedMarks::clear() {
-    if (!taken_ && seeds_.empty()) return;
+    if (!taken_ && seeds_.empty() && of_case_.empty()) return;
     taken_.reset();
     seeds_.clear();
+    of_case_.clear();
+    watchers_.tell();
+}
+
+void SeedMarks::show(std::vector<VesselSeed> of_case) {
+    seeds_ = of_case_ = std::move(of_case);
     watchers_.tell();
 }
 

@@ -28,6 +28,10 @@ class SeedMarks {
     void add(const Vec3& position_mm);
     void remove_last();
     void clear();
+    // Those that the shown case was made with, in place of all.
+    void show(std::vector<VesselSeed> of_case);
+    // Whether other seeds are set than the shown case was made with.
+    bool changed() const { return seeds_ != of_case_; }
     void reconstruct() const { reconstruct_(); }
 
     // In the order in which they were set.
@@ -36,7 +40,7 @@ class SeedMarks {
   private:
     std::function<void()> reconstruct_ = [] {};
     std::optional<VascularSystem> taken_;
-    std::vector<VesselSeed> seeds_;
+    std::vector<VesselSeed> seeds_, of_case_;
     Watchers watchers_;
 };
 

@@ -375,8 +375,8 @@ void SliceBar::follow_click() {
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
     const SeedMarks& seeds = scene_.seeds();
-    reconstruct_->setVisible(seeds.taken() || !seeds.seeds().empty());
-    reconstruct_->setEnabled(!seeds.seeds().empty());
+    reconstruct_->setVisible(seeds.taken() || seeds.changed());
+    reconstruct_->setEnabled(!seeds.seeds().empty() || seeds.changed());
 }
 
 void SliceBar::say(const QString& text) {
