@@ -122,7 +122,7 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
                    {size.width, size.height, size.legend_point, caption_width(), size.covered_top,
                     size.covered_bottom, OrientationMarker::right_edge(size),
                     size.covered_bottom + OrientationMarker::right_edge(size)},
-                   look_, count);
+                   look_, count, words_);
     if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
     update_scale_bar(size, camera);
 }

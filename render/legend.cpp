@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "render/text_style.h"
@@ -49,11 +50,26 @@ double height_of(const std::vector<LegendRow>& rows) {
     return height;
 }
 
-// Of at least one row, the one that is left out first: the last minor one, else the last.
+// Of at least one row, the one that is left out first: the last minor one, else the last that is
+// not needed, else the last.
 std::size_t least_of(const std::vector<LegendRow>& rows) {
     for (std::size_t r = rows.size(); r-- > 0;)
         if (rows[r].minor) return r;
+    for (std::size_t r = rows.size(); r-- > 0;)
+        if (!rows[r].needed) return r;
     return rows.size() - 1;
+}
+
+// How many rows name something: an explanation of another row does not.
+std::size_t names_in(const std::vector<LegendRow>& rows) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(rows, [](const LegendRow& row) { return !row.faint; }));
+}
+
+// The height of the picture in points that nothing else covers.
+double free_points(const Legend::Room& room) {
+    const double covered = room.covered_top + room.covered_bottom;
+    return (room.height - covered) / room.point - 2.0 * margin - line;
 }
 
 void leave_out_least(std::vector<LegendRow>& rows) {
@@ -61,14 +77,16 @@ void leave_out_least(std::vector<LegendRow>& rows) {
 }
 
 // The rows without minor ones while they are higher than half of the picture, and without others
-// while they are higher than what is free of it.
+// while they are higher than what is free of it; with the row that says how many are left out, for
+// which no needed one goes.
 std::vector<LegendRow> with_room(std::vector<LegendRow> rows, const Legend::Room& room) {
-    const double picture_pt = room.height / room.point;
-    const double covered_pt = (room.covered_top + room.covered_bottom) / room.point;
-    const double free_pt = picture_pt - covered_pt - 2.0 * margin - line;
+    const std::size_t names = names_in(rows);
+    const double free_pt = free_points(room);
     while (!rows.empty()) {
-        const double most_pt = rows[least_of(rows)].minor ? 0.5 * picture_pt : free_pt;
-        if (height_of(rows) <= std::min(most_pt, free_pt)) break;
+        const LegendRow& least = rows[least_of(rows)];
+        const double most_pt = least.minor ? 0.5 * room.height / room.point : free_pt;
+        const double how_many = names_in(rows) < names && !least.needed ? line : 0.0;
+        if (height_of(rows) + how_many <= std::min(most_pt, free_pt)) break;
         leave_out_least(rows);
     }
     return rows;
@@ -77,6 +95,11 @@ std::vector<LegendRow> with_room(std::vector<LegendRow> rows, const Legend::Room
 // One of four views on a screen of 1280 by 800 points, or smaller.
 bool is_small(const Legend::Room& room) {
     return room.width < 300.0 * room.point || room.height < 300.0 * room.point;
+}
+
+// A picture to choose by, not to read.
+bool is_thumbnail(const Legend::Room& room) {
+    return room.width < 200.0 * room.point || room.height < 200.0 * room.point;
 }
 
 bool is_narrow(const Legend::Room& room) {
@@ -306,14 +329,18 @@ std::vector<LegendRow> Legend::in_lines(const std::vector<LegendRow>& rows, doub
 }
 
 // Letters shrink before anything is cut off.
-Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out,
-                                bool in_lines) {
+Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room,
+                                std::size_t left_out, bool in_lines) {
     const double widest = room.width - 2.0 * margin * room.point;
     Layout layout;
-    std::vector<LegendRow> said = rows;
-    if (left_out && !said.empty()) said.back().text += " …";
     layout.rows =
-        in_lines ? this->in_lines(said, widest, room.point) : fitting(said, widest, room.point);
+        in_lines ? this->in_lines(rows, widest, room.point) : fitting(rows, widest, room.point);
+    if (left_out > 0 && !rows.empty() && height_of(layout.rows) + line <= free_points(room)) {
+        LegendRow how_many;
+        how_many.text = said(words_, "and " + std::to_string(left_out) + " more");
+        how_many.faint = true;
+        layout.rows.push_back(std::move(how_many));
+    }
     const double needed = width_of(layout.rows, room.point);
     layout.point = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
     layout.corners = legend_corners(room, std::min(width_of(layout.rows, layout.point), widest),
@@ -322,7 +349,7 @@ Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& 
 }
 
 Legend::Layout Legend::of_narrow(const std::vector<LegendRow>& rows, const Room& room,
-                                 bool left_out, const Count& count) {
+                                 std::size_t left_out, const Count& count) {
     Layout below = laid_out(rows, room, left_out);
     if (!is_narrow(room) || !may_be_lines(rows)) {
         in_lines_ = false;
@@ -339,27 +366,38 @@ Legend::Layout Legend::of_narrow(const std::vector<LegendRow>& rows, const Room&
     return in_lines_ ? laid_out(rows, room, left_out, true) : below;
 }
 
-Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t wanted,
-                                      const Room& room, const Count& count) {
+Legend::Layout Legend::beside_vessels(const std::vector<LegendRow>& wanted, const Room& room,
+                                      const Count& count) {
+    std::vector<LegendRow> rows = with_room(wanted, room);
     const bool yields = gives_way(rows, room);
     if (!yields)
         most_rows_ = std::numeric_limits<std::size_t>::max();
     else if (count)
         most_rows_ = rows.size();
     while (rows.size() > most_rows_) leave_out_least(rows);
-    const auto laid = [&] { return of_narrow(rows, room, rows.size() < wanted, count); };
-    leaves_out_ = rows.size() < wanted;
+    const auto laid = [&] {
+        return of_narrow(rows, room, names_in(wanted) - names_in(rows), count);
+    };
     Layout layout = laid();
-    if (!yields || !count) return layout;
-    const int all = all_in(room, count);
-    while (!rows.empty()) {
-        const std::vector<int> hidden = count(layout.corners);
-        if (hidden_share * *std::ranges::min_element(hidden) <= all) break;
-        leave_out_least(rows);
-        layout = laid();
+    if (yields && count) {
+        const auto hidden = [&] { return std::ranges::min(count(layout.corners)); };
+        const auto needed = static_cast<std::size_t>(
+            std::ranges::count_if(rows, [](const LegendRow& row) { return row.needed; }));
+        const std::size_t fewest = is_thumbnail(room) ? 0 : needed;
+        const int all = all_in(room, count), hidden_by_all = hidden();
+        const std::vector<LegendRow> before = rows;
+        while (rows.size() > fewest && hidden_share * hidden() > all) {
+            leave_out_least(rows);
+            layout = laid();
+        }
+        // The row that says how many are left out may hide as much as they did.
+        if (rows.size() < before.size() && hidden() >= hidden_by_all) {
+            rows = before;
+            layout = laid();
+        }
+        most_rows_ = rows.size();
     }
-    most_rows_ = rows.size();
-    leaves_out_ = rows.size() < wanted;
+    leaves_out_ = rows.size() < wanted.size();
     return layout;
 }
 
@@ -373,14 +411,16 @@ void Legend::choose_corner(const Layout& layout, const Room& room, const Count& 
 }
 
 void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, const ViewLook& look,
-                    const Count& count) {
+                    const Count& count, const PictureWords& words) {
+    words_ = words;
     points_->Reset();
     quads_->Reset();
     colours_->Reset();
     texts_used_ = 0;
     ground_ = look.bottom;
     box_ = {};
-    const Layout layout = beside_vessels(with_room(wanted, room), wanted.size(), room, count);
+    const Layout layout = beside_vessels(wanted, room, count);
+    rows_ = layout.rows;
     if (!layout.rows.empty()) {
         if (count) choose_corner(layout, room, count);
         box_ = layout.corners[corner_];

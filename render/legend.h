@@ -3,10 +3,10 @@
 // Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
 // where a row would not fit. Minor rows are left out where the legend would be higher than half of
 // the picture, and others where it would be higher than the picture. In a small picture, and of
-// names of colours in a narrow one, as many are left out, or all, as it takes to hide hardly any
-// vessel. An ellipsis behind the last row says
-// that some are left out. In a narrow picture names of colours stand beside each other where they
-// would hide vessels below each other, and hide fewer so.
+// names of colours in a narrow one, as many are left out as it takes to hide hardly any vessel;
+// needed rows only in a thumbnail. A row of its own says how many are left out. In a narrow picture
+// names of colours stand beside each other where they would hide vessels below each other, and hide
+// fewer so.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -48,12 +48,14 @@ class Legend {
 
     // Lays out everything anew; without rows nothing is drawn. With `count` it moves to the corner
     // that covers the fewest vertices; without, it stays in its corner. Passing rows do not choose
-    // the corner: it would change under the pointer.
+    // the corner: it would change under the pointer. `rows` are translated, by `words`.
     void update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
-                const Count& count);
+                const Count& count, const PictureWords& words = {});
     // Where it was drawn last; empty where it was not.
     const PictureBox& box() const { return box_; }
-    // Whether rows were left out then, which an ellipsis says unless all were.
+    // Its rows then, with the one that says how many are left out.
+    const std::vector<LegendRow>& rows() const { return rows_; }
+    // Whether rows were left out then.
     bool leaves_out() const { return leaves_out_; }
 
   private:
@@ -63,14 +65,15 @@ class Legend {
         double point = 1.0;
         std::vector<PictureBox> corners;
     };
-    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out = false,
+    // `left_out`: how many names are left out, which a row says where there is room for it.
+    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room, std::size_t left_out = 0,
                     bool in_lines = false);
     // The layout with names beside each other where that hides fewer vessels.
-    Layout of_narrow(const std::vector<LegendRow>& rows, const Room& room, bool left_out,
+    Layout of_narrow(const std::vector<LegendRow>& rows, const Room& room, std::size_t left_out,
                      const Count& count);
-    // The layout with as many rows as leave the vessels visible where the legend gives way to them,
-    // of `wanted` many.
-    Layout beside_vessels(std::vector<LegendRow> rows, std::size_t wanted, const Room& room,
+    // The layout of those of `wanted` that leave the vessels visible where the legend gives way to
+    // them, and that there is room for.
+    Layout beside_vessels(const std::vector<LegendRow>& wanted, const Room& room,
                           const Count& count);
     void choose_corner(const Layout& layout, const Room& room, const Count& count);
     void add_quad(const PictureBox& box, const Colour& colour);
@@ -97,6 +100,8 @@ class Legend {
     std::size_t most_rows_;  // that there was room for beside vessels when it was last counted
     bool in_lines_ = false;  // names stood beside each other when it was last counted
     PictureBox box_;
+    std::vector<LegendRow> rows_;
+    PictureWords words_;
     bool leaves_out_ = false;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;

@@ -146,11 +146,15 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     const auto swatch = [&](const std::string& text, const Colour& colour, bool minor = false) {
         rows.push_back({text, {}, {colour}, {}, {}, false, minor});
     };
+    const auto needed = [&](const std::string& text, const Colour& colour) {
+        swatch(text, colour);
+        rows.back().needed = true;
+    };
     if (content.tumours) swatch("Tumour", palette::tumour);
     if (content.touched) swatch("Touch and force", palette::touch, true);
-    if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
+    if (content.places) needed("A place of the lesson", palette::torn_circle);
     if (content.places_reached) swatch("A place that is reached", palette::reached, true);
-    if (content.target) swatch("Target of the drug", palette::drug_target(content.bright));
+    if (content.target) needed("Target of the drug", palette::drug_target(content.bright));
     const std::size_t steady = rows.size();
     const bool branch = content.lit_branch;
     if (content.target_lit)
@@ -175,7 +179,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.stretched) return rows;
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
-        swatch(with_capital(title_of(system)), palette::vessel_system(system, content.bright));
+        needed(with_capital(title_of(system)), palette::vessel_system(system, content.bright));
     return rows;
 }
 

@@ -68,6 +68,7 @@ struct LegendRow {
     bool minor = false;            // left out first where the picture has no room
     bool passing = false;          // comes and goes with the pointer
     std::vector<std::pair<Colour, std::string>> beside = {};  // more swatches in the same line
+    bool needed = false;  // left out last: without it the picture cannot be read
 };
 
 // The rows from top to bottom. The drug's colours come before the colours of systems and segments.

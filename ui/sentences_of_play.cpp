@@ -236,6 +236,7 @@ constexpr std::array sentences_play{
     Words::id("vertices"),
     Words::id("Drug arrival (s)"),
     Words::id("now %1"),
+    Words::id("and %1 more"),
     Words::id("axis: square root of time"),
     Words::id("The drug's front"),
     Words::id("Cut line, not torn yet"),

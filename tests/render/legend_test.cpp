@@ -450,12 +450,14 @@ TEST(LegendRows, OfLessRankAreThoseThatExplainThemselves) {
     content.systems = {VascularSystem::portal};
     content.touched = content.places = content.torn = content.injected = true;
     content.drug_end_s = 1.0;
-    std::vector<std::string> minor;
-    for (const LegendRow& row : legend_rows(content))
+    std::vector<std::string> minor, needed;
+    for (const LegendRow& row : legend_rows(content)) {
         if (row.minor) minor.push_back(row.text);
-    EXPECT_EQ(minor, (std::vector<std::string>{"Touch and force", "A place of the lesson",
-                                               "Inside of what is torn",
+        if (row.needed) needed.push_back(row.text);
+    }
+    EXPECT_EQ(minor, (std::vector<std::string>{"Touch and force", "Inside of what is torn",
                                                "axis: square root of time", "The drug's front"}));
+    EXPECT_EQ(needed, (std::vector<std::string>{"A place of the lesson", "Portal vein"}));
 }
 
 // As two recordings beside each other leave it.
