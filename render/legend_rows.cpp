@@ -160,10 +160,11 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.target_lit)
         swatch(branch ? "Target, in the chosen branch" : "Target, downstream of the pointer",
                palette::lit_drug_target(content.bright), true);
-    if (content.lit)
-        swatch(branch ? "The chosen branch" : "Downstream of the pointer",
-               palette::highlight(content.bright), true);
+    if (content.lit && !branch)
+        swatch("Downstream of the pointer", palette::highlight(content.bright), true);
     for (std::size_t r = steady; r < rows.size(); ++r) rows[r].passing = !branch;
+    if (content.branch_line || (content.lit && branch))
+        needed("The chosen branch", palette::chosen_branch(content.bright));
     if (content.gaps) swatch("What may be a vessel, and how sure", palette::bridge, true);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) {

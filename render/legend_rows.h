@@ -34,11 +34,12 @@ struct LegendContent {
     bool places = false;  // places of a lesson that are not reached yet
     bool places_reached = false;
     bool tumours = false;
-    bool target = false;      // of the drug, where nothing else covers it
-    bool target_lit = false;  // the part of it that is highlighted
-    bool lit = false;         // vessels beside the target are highlighted
-    bool lit_branch = false;  // the highlight is a chosen branch, not what the pointer is on
-    bool bright = false;      // systems have their bright colours
+    bool target = false;       // of the drug, where nothing else covers it
+    bool target_lit = false;   // the part of it that is highlighted
+    bool lit = false;          // vessels beside the target are highlighted
+    bool lit_branch = false;   // the highlight is a chosen branch, not what the pointer is on
+    bool branch_line = false;  // the line of a chosen branch is drawn
+    bool bright = false;       // systems have their bright colours
     bool operator==(const LegendContent&) const = default;
 };
 

@@ -89,6 +89,10 @@ Colour highlight(bool bright) {
     return bright ? Colour{0.30, 0.50, 0.95} : Colour{0.08, 0.76, 1.00};
 }
 
+Colour chosen_branch(bool bright) {
+    return bright ? Colour{0.93, 0.80, 0.00} : Colour{1.00, 0.97, 0.25};
+}
+
 // Excludes blue, violet and red, which belong to the systems, and the light green of tumours. Found
 // by a search that maximises the least distance between any two of these colours, and from each to
 // those excluded, in the OKLab space (Ottosson 2020) as seen by normal and by colour-blind eyes

@@ -57,8 +57,11 @@ Colour drug_target(bool bright = false);
 Colour lit_drug_target(bool bright = false);
 // What an injection before the present one has reached.
 Colour reached_before(bool bright = false);
-// A highlight: what lies downstream of the pointer, or a chosen branch.
+// A highlight: what lies downstream of the pointer.
 Colour highlight(bool bright = false);
+
+// The branch that is chosen in a table: yellow, which no system has.
+Colour chosen_branch(bool bright = false);
 
 // Colour of the branches to one of Couinaud's segments, 1 to 8; values outside are clamped.
 Colour liver_segment(int segment);

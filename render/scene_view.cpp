@@ -146,6 +146,7 @@ void SceneView::render(double pixel_ratio) {
         std::exchange(parts_->turned, false) || (parts_->at_rest && !parts_->moving)
             ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
             : Legend::Count());
+    parts_->chosen_branch.update(place, pixel_ratio);
     // After the legend, on which no value must lie.
     parts_->measures.update(place, pixel_ratio, parts_->picture_size().covered_top,
                             parts_->picture_size().covered_bottom,
@@ -167,9 +168,16 @@ void SceneView::set_vertex_segments(std::vector<std::uint8_t> segments) {
 }
 
 void SceneView::set_highlight(std::vector<std::uint8_t> vertices, HighlightOf what) {
-    parts_->tree.set_highlight(std::move(vertices));
+    parts_->tree.set_highlight(std::move(vertices), what == HighlightOf::branch);
     parts_->legend.lit_branch = what == HighlightOf::branch;
     parts_->find_highlights_shown();
+}
+
+bool SceneView::set_chosen_branch(std::vector<Vec3> line_mm) {
+    parts_->legend.branch_line = !line_mm.empty();
+    std::vector<MeasureView> line;
+    if (!line_mm.empty()) line.push_back({std::move(line_mm), ""});
+    return parts_->chosen_branch.show(std::move(line));
 }
 
 void SceneView::set_target(std::vector<std::uint8_t> vertices) {
@@ -290,6 +298,7 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->annotations.set_look(look);
     parts_->volume.set_room(look);
     parts_->measures.set_colours(look.measure, look.bottom);
+    parts_->chosen_branch.set_colours(palette::chosen_branch(look.bright_vessels), look.bottom);
     parts_->bridges.set_text_colour(look.text);
     parts_->marks.set_text_colour(look.text);
     parts_->tool.set_colour(look.tool);

@@ -64,6 +64,9 @@ class SceneView {
     void set_highlight(std::vector<std::uint8_t> vertices,
                        HighlightOf what = HighlightOf::downstream);
     const std::vector<std::uint8_t>& highlight() const;
+    // The centreline of a chosen branch in the deformed body, seen through what lies before it;
+    // empty: none. Returns true if the picture changed.
+    bool set_chosen_branch(std::vector<Vec3> line_mm);
     void set_target(std::vector<std::uint8_t> vertices);
     const std::vector<std::uint8_t>& target() const;
     const LegendContent& legend() const;  // what it explains

@@ -116,6 +116,7 @@ struct SceneView::Parts {
     PictureWords words;
     BridgeActor bridges{*renderer};
     MarkActors marks{*renderer};
+    MeasureMarks chosen_branch{*renderer};  // its line, without a text
     MeasureMarks measures{*renderer};
     Annotations annotations;
     OrientationMarker orientation;

@@ -85,9 +85,10 @@ void TreeActor::set_vertex_segments(std::vector<std::uint8_t> segments) {
     take_colours();
 }
 
-void TreeActor::set_highlight(std::vector<std::uint8_t> highlight) {
-    if (highlight == highlight_) return;
+void TreeActor::set_highlight(std::vector<std::uint8_t> highlight, bool of_branch) {
+    if (highlight == highlight_ && of_branch == highlights_branch_) return;
     highlight_ = std::move(highlight);
+    highlights_branch_ = of_branch;
     take_colours();
 }
 
@@ -187,7 +188,8 @@ Colour TreeActor::own_colour_of(std::size_t vertex, std::size_t origin) const {
     const bool lit = marked(highlight_);
     if (marked(target_))
         return lit ? palette::lit_drug_target(bright_) : palette::drug_target(bright_);
-    if (lit) return palette::highlight(bright_);
+    if (lit)
+        return highlights_branch_ ? palette::chosen_branch(bright_) : palette::highlight(bright_);
     if (vertex < stretches_.size()) return palette::stretch(stretches_[vertex], bright_);
     const int segment = origin < segments_.size() ? segments_[origin] : 0;
     if (segment > 0) return palette::liver_segment(segment);

@@ -40,7 +40,8 @@ class TreeActor {
     // 0, and those missing at the end, show the system.
     void set_vertex_segments(std::vector<std::uint8_t> segments);
     // 1 for each vertex of the frame to highlight, 0 for others; empty highlights none.
-    void set_highlight(std::vector<std::uint8_t> highlight);
+    // `of_branch`: in the colour of a chosen branch.
+    void set_highlight(std::vector<std::uint8_t> highlight, bool of_branch = false);
     const std::vector<std::uint8_t>& highlight() const { return highlight_; }
     // The same for what a lesson wants the drug in, which stays visible under a highlight.
     void set_target(std::vector<std::uint8_t> target);
@@ -101,6 +102,7 @@ class TreeActor {
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> segments_;
     std::vector<std::uint8_t> highlight_;
+    bool highlights_branch_ = false;
     std::vector<std::uint8_t> target_;
     bool bright_ = false;
     std::vector<int> touched_;                               // vertices of the frame, ascending

@@ -281,7 +281,7 @@ void MainWindow::build_panels() {
 void MainWindow::build_branches() {
     BranchDock::Callbacks callbacks;
     callbacks.choose = [this](const BranchRow& row) {
-        chosen_branch_ = row.branch;
+        chosen_branch_.choose(row.branch, patient_->patient);
         light_up(TreePoint{});
         view_layout_->slices().set_crosshair(row.middle_mm);
     };

@@ -17,6 +17,7 @@
 
 #include "core/lesson/lesson.h"
 #include "ui/actions.h"
+#include "ui/chosen_branch.h"
 #include "ui/focus_of_view.h"
 #include "ui/kept_play.h"
 #include "ui/mouse_tool.h"
@@ -277,7 +278,8 @@ class MainWindow : public QMainWindow {
     // Shows the marks of the lesson being played or edited. True if they have moved.
     bool show_marks();
     void sound(const Frame& frame);
-    std::optional<Vec3> middle_of_chosen_branch() const;
+    // Its line in the deformed body; empty where none is chosen in a table that is seen.
+    std::vector<Vec3> line_of_chosen_branch();
     void keep_dial();  // stores it in the case
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
@@ -369,7 +371,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<PlayRecorder> recorder_;
     std::filesystem::path told_folder_;  // case folder last told to the lesson editor
     int hovered_vertex_ = -1;            // of the frame
-    int chosen_branch_ = -1;             // in the table
+    ChosenBranch chosen_branch_;         // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
     bool solver_speaks_ = false;         // that is the solver's

@@ -54,7 +54,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
-    chosen_branch_ = -1;
+    chosen_branch_.forget();
+    scene.set_chosen_branch({});
     show_welcome(false);
     scene.set_highlight({});
     scene.set_target({});
@@ -269,25 +270,16 @@ bool MainWindow::show_marks() {
         for (const Vec3& place : lesson_editor_->places()) marks.push_back({place, "", false});
     if (editing_ && editing_->link_from_mm())
         marks.push_back({*editing_->link_from_mm(), "", false, false});
-    if (marks.empty())
-        if (const auto middle = middle_of_chosen_branch())
-            marks.push_back({*middle, "", false, false});
-    return view_->scene().set_marks(std::move(marks));
+    std::vector<Vec3> branch = line_of_chosen_branch();
+    if (marks.empty() && !branch.empty())
+        marks.push_back({branch[branch.size() / 2], "", false, false});
+    const bool branch_moved = view_->scene().set_chosen_branch(std::move(branch));
+    return view_->scene().set_marks(std::move(marks)) || branch_moved;
 }
 
-// In the deformed body. The highlight alone does not show a short branch.
-std::optional<Vec3> MainWindow::middle_of_chosen_branch() const {
-    if (!patient_ || chosen_branch_ < 0 || !branches_->isVisible()) return std::nullopt;
-    const std::vector<std::uint8_t> lit = patient_->anatomy.vertices_of(chosen_branch_);
-    const std::vector<float>& at = frame().positions_mm;
-    Vec3 sum = Vec3::Zero();
-    double count = 0.0;
-    for (std::size_t v = 0; v < lit.size() && 3 * v + 2 < at.size(); ++v) {
-        if (lit[v] == 0) continue;
-        sum += Vec3(at[3 * v], at[3 * v + 1], at[3 * v + 2]);
-        ++count;
-    }
-    return count > 0.0 ? std::optional(Vec3(sum / count)) : std::nullopt;
+std::vector<Vec3> MainWindow::line_of_chosen_branch() {
+    if (!patient_ || !branches_->isVisible()) return {};
+    return chosen_branch_.line_in(frame());
 }
 
 void MainWindow::tell_dial_keeper() {
@@ -349,8 +341,9 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 void MainWindow::light_up(const TreePoint& under_mouse) {
     SceneView& scene = view_->scene();
     // While the pointer is on no vessel: the branch chosen in the table.
-    if (under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible())
-        scene.set_highlight(patient_->anatomy.vertices_of(chosen_branch_), HighlightOf::branch);
+    const int chosen = chosen_branch_.branch();
+    if (under_mouse.segment < 0 && chosen >= 0 && branches_->isVisible())
+        scene.set_highlight(patient_->anatomy.vertices_of(chosen), HighlightOf::branch);
     else
         scene.set_highlight(patient_->anatomy.downstream_of(under_mouse));
     scene.set_target(target_of_lesson());

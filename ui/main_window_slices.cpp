@@ -271,7 +271,7 @@ void MainWindow::build_editing() {
             [this] {
                 if (patient_ && show_marks()) view_->draw_again();
             },
-            [this] { return branches_->isVisible() ? chosen_branch_ : -1; }});
+            [this] { return branches_->isVisible() ? chosen_branch_.branch() : -1; }});
     follow_points();
 }
 

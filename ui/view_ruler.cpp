@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "ui/body_anchors.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -14,18 +15,6 @@ namespace {
 constexpr double reach_mm = 10.0;
 // A smaller displacement counts as at rest.
 constexpr double moved_mm = 0.5;
-
-int nearest_vertex(const std::vector<Vec3>& vertices_mm, const Vec3& point_mm) {
-    int nearest = -1;
-    double least = reach_mm * reach_mm;
-    for (std::size_t v = 0; v < vertices_mm.size(); ++v) {
-        const double square = (vertices_mm[v] - point_mm).squaredNorm();
-        if (square >= least) continue;
-        least = square;
-        nearest = static_cast<int>(v);
-    }
-    return nearest;
-}
 
 }  // namespace
 
@@ -58,26 +47,19 @@ std::vector<const Measurement*> ViewRuler::drawn() const {
     return all;
 }
 
-// In a scene without deformation frames hold the surface's vertices, not the body's.
-const std::vector<Vec3>& ViewRuler::rest_of(const Frame& frame) const {
-    const std::vector<Vec3>& body = patient_->mesh.vertices_mm;
-    const bool moves = !body.empty() && frame.positions_mm.size() >= 3 * body.size();
-    return moves ? body : patient_->surface.vertices_mm;
-}
-
 void ViewRuler::find_anchors(const std::vector<Vec3>& rest) {
     if (anchored_to_ == &rest) return;
     anchored_to_ = &rest;
     anchors_.clear();
     for (const Measurement* measurement : drawn())
         for (const Vec3& point : measurement->points_mm)
-            anchors_.push_back(nearest_vertex(rest, point));
+            anchors_.push_back(nearest_vertex(rest, point, reach_mm));
 }
 
 void ViewRuler::click(const SurfacePick& pick, const ViewAxes& axes) {
     const Frame* frame = screen_.frame();
     if (!patient_ || !frame || pick.triangle < 0) return;
-    const std::vector<Vec3>& rest = rest_of(*frame);
+    const std::vector<Vec3>& rest = rest_vertices(*patient_, *frame);
     Vec3 place = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
         const int vertex = frame->origin_of(pick.vertices[i]);
@@ -93,19 +75,14 @@ void ViewRuler::follow() {
     const Frame* frame = screen_.frame();
     std::vector<MeasureView> views;
     if (patient_ && frame) {
-        const std::vector<Vec3>& rest = rest_of(*frame);
+        const std::vector<Vec3>& rest = rest_vertices(*patient_, *frame);
         find_anchors(rest);
         std::size_t next = 0;
         for (const Measurement* measurement : drawn()) {
             MeasureView view{measurement->points_mm, measurement->text};
             bool moved = false;
             for (Vec3& point : view.points_mm) {
-                const int anchor = anchors_[next++];
-                if (anchor < 0) continue;
-                const auto v = static_cast<std::size_t>(anchor);
-                if (3 * v + 2 >= frame->positions_mm.size()) continue;
-                const float* at = &frame->positions_mm[3 * v];
-                const Vec3 by = Vec3(at[0], at[1], at[2]) - rest[v];
+                const Vec3 by = displacement_mm(anchors_[next++], rest, *frame);
                 moved |= by.norm() > moved_mm;
                 point += by;
             }

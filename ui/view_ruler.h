@@ -41,8 +41,6 @@ class ViewRuler {
     QString guidance() const;
 
   private:
-    // The rest positions of the frame's vertices.
-    const std::vector<Vec3>& rest_of(const Frame& frame) const;
     void find_anchors(const std::vector<Vec3>& rest);
     std::vector<const Measurement*> drawn() const;  // in order, an unfinished one last
 

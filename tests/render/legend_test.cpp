@@ -230,6 +230,21 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::reached});
 }
 
+// A short branch between wide ones has no vertex of its own.
+TEST(LegendRows, NameTheChosenBranchWhereItsLineAloneIsSeen) {
+    LegendContent content;
+    content.branch_line = true;
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"The chosen branch"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::chosen_branch()});
+    EXPECT_FALSE(legend_rows(content)[0].passing);
+    content.lit = true;  // the pointer is on a vessel meanwhile
+    EXPECT_EQ(texts_of(content),
+              (std::vector<std::string>{"Downstream of the pointer", "The chosen branch"}));
+    EXPECT_TRUE(legend_rows(content)[0].passing);
+    content.lit_branch = true;
+    EXPECT_EQ(texts_of(content), std::vector<std::string>{"The chosen branch"});
+}
+
 // Each label of the bar of loads stands below the colour that a vessel of that load has.
 TEST(LegendRows, LabelTheLoadsByTheColoursOfTheVessels) {
     LegendContent content;

@@ -10,6 +10,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -238,6 +239,33 @@ TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
     EXPECT_EQ(picture().rgb, plain.rgb);
     view_.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
     EXPECT_FALSE(look_alike(picture(), plain));
+}
+
+// Of one colour that nothing else has, also where it runs behind vessels or towards the eye.
+TEST_F(SceneElements, the_line_of_a_chosen_branch_is_seen_through_the_vessels) {
+    const auto pixels = [](const Picture& seen) {
+        const Colour colour = palette::chosen_branch();
+        int count = 0;
+        for (std::size_t at = 0; at + 2 < seen.rgb.size(); at += 3) {
+            bool same = true;
+            for (std::size_t c = 0; c < 3; ++c)
+                same &= std::abs(seen.rgb[at + c] - 255.0 * colour[c]) < 3.0;
+            count += same;
+        }
+        return count;
+    };
+    view_.set_annotations_visible(false);  // whose legend has the colour, too
+    const Picture plain = picture_of(fake_frame());
+    ASSERT_EQ(pixels(plain), 0);
+    view_.set_chosen_branch({Vec3(0, 60, -20), Vec3(0, 60, 20)});
+    EXPECT_GT(pixels(picture()), 40) << "it lies behind the vessels for who looks from the front";
+    EXPECT_TRUE(view_.legend().branch_line);
+    view_.set_chosen_branch({Vec3(0, -1, 0), Vec3(0, 1, 0)});
+    EXPECT_GE(pixels(picture()), 9) << "seen along it";
+    EXPECT_FALSE(view_.set_chosen_branch({Vec3(0, -1, 0), Vec3(0, 1, 0)}));
+    view_.set_chosen_branch({});
+    EXPECT_EQ(picture().rgb, plain.rgb);
+    EXPECT_FALSE(view_.legend().branch_line);
 }
 
 TEST_F(SceneElements, vessels_are_brighter_where_the_look_wants_that) {

@@ -198,6 +198,7 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     window_.actions()[ActionId::toggle_branches].trigger();
     EXPECT_FALSE(table->isVisible());
     EXPECT_TRUE(window_.view().scene().marks().empty());
+    EXPECT_FALSE(window_.view().scene().legend().branch_line);
 }
 
 // Also one that was written before the theme was chosen.
