@@ -228,6 +228,8 @@ class MainWindow : public QMainWindow {
     void offer_unsaved_work();
     void offer_unsaved_lesson();
     void open_unsaved_work();
+    // Shows the play that waits for unsaved work to be opened, if it is.
+    void look_back_when_opened();
     void connect_unsaved_work();
     void ask_for_ct(bool folder);
     // To look back on, or to compare with the one that is shown.
@@ -381,12 +383,13 @@ class MainWindow : public QMainWindow {
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
-    std::filesystem::path report_to_offer_;  // written while a patient was opened
-    bool report_waited_ = false;             // the next one that is offered did
-    QString cuts_message_;                   // tells that cuts stay
-    QString not_drawn_message_;              // the last one, of a vessel drawn in the slices
-    QString link_message_;                   // the last warning of a link
-    TreeEdit doubtful_link_;                 // of which it is
+    std::filesystem::path report_to_offer_;       // written while a patient was opened
+    std::filesystem::path play_to_look_back_on_;  // once the unsaved work is opened
+    bool report_waited_ = false;                  // the next one that is offered did
+    QString cuts_message_;                        // tells that cuts stay
+    QString not_drawn_message_;                   // the last one, of a vessel drawn in the slices
+    QString link_message_;                        // the last warning of a link
+    TreeEdit doubtful_link_;                      // of which it is
     // Corrections and strokes when a point was set or taken back in the slices.
     std::pair<std::size_t, std::size_t> steps_at_points_;
     QString review_message_;  // why a recording could not be shown

@@ -105,6 +105,17 @@ void MainWindow::show_jobs() {
     // It waited for a patient.
     if (!report_to_offer_.empty() && !keeper_->jobs().holds(JobKind::open))
         offer_report(std::exchange(report_to_offer_, {}));
+    look_back_when_opened();
+}
+
+// Once his vessels are as they were left, so that no other ones are opened for the recording.
+void MainWindow::look_back_when_opened() {
+    if (play_to_look_back_on_.empty() || keeper_->jobs().holds(JobKind::open) ||
+        keeper_->makes_vessels())
+        return;
+    // The job that called this still exists.
+    QTimer::singleShot(
+        0, this, [this, play = std::exchange(play_to_look_back_on_, {})] { review_->open(play); });
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {
@@ -222,9 +233,13 @@ void MainWindow::offer_unsaved_work() {
     if (!left.empty())
         messages_->show_notice(texts.join("\n"), Words::tr("Open it"),
                                [this] { open_unsaved_work(); });
-    const auto look_back = [this, interrupted] {
+    // The vessels that were played on may be those of the unsaved work.
+    const auto look_back = [this, interrupted, unsaved = !left.empty()] {
         std::ranges::for_each(interrupted, forget_interruption);
-        review_->open(interrupted.front());
+        if (!unsaved) return review_->open(interrupted.front());
+        play_to_look_back_on_ = interrupted.front();
+        open_unsaved_work();
+        look_back_when_opened();
     };
     const QString looks_back = Words::tr("Look back on the play");
     if (interrupted.empty()) return;

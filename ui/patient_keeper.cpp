@@ -285,8 +285,8 @@ void PatientKeeper::exchange_vessels(const QString& title,
 
 bool PatientKeeper::save(std::function<void()> written) {
     if (!workspace_.has_patient()) return false;
-    if (!workspace_.folder().empty()) {
-        save_as(workspace_.folder(), std::move(written));
+    if (!workspace_.home().empty()) {
+        save_as(workspace_.home(), std::move(written));
         return true;
     }
     return ask_and_save(std::move(written));

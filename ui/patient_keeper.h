@@ -138,8 +138,9 @@ class PatientKeeper {
     // Rebuilds the vessels from these voxels, which lie in the frame of the patient's CT; can be
     // undone. Replaces an earlier request.
     void remake(std::shared_ptr<const Volume> ct, Mask vessels);
-    // save() writes to the present folder, or asks for one if there is none; ask_and_save() always
-    // asks. False: cancelled. `written` is called once the case is written, and not if that fails.
+    // save() writes to the case that he belongs to (Workspace::home()), or asks for a place if
+    // there is none; ask_and_save() always asks. False: cancelled. `written` is called once the
+    // case is written, and not if that fails.
     bool save(std::function<void()> written = {});
     bool ask_and_save(std::function<void()> written = {});
     // What files about the patient are called after: his title without an ending or a path.

@@ -2,8 +2,8 @@
 // Keeps unsaved work in the user's data folder until it is saved or discarded: each correction,
 // stroke and measurement at once in a journal, and half a second after a reconstruction or
 // correction a copy of the whole case. What a program left after a crash or power cut is offered at
-// the next start. A copy never replaces the case that it was made of by itself: it is opened as one
-// without a place on disk, and saving it proposes that case.
+// the next start. A copy never replaces the case that it was made of by itself: it is opened as
+// unsaved work of that case, and saving it writes there.
 #pragma once
 
 #include <QTimer>

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QPushButton>
+#include <fstream>
 
 #include "tests/ui/review_window_test.h"
 #include "ui/message_bar.h"
@@ -114,6 +115,40 @@ TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choos
     QTest::mouseClick(choose, Qt::LeftButton);
     EXPECT_TRUE(wait_for([this] { return dock().complete(); }));
     EXPECT_EQ(opened_, 2);
+}
+
+// The vessels that were played on are those of the unsaved work: the case as it was saved last
+// would have been refused.
+TEST_F(ReviewWindowTest, of_an_interrupted_play_opens_the_unsaved_work_by_itself) {
+    namespace fs = std::filesystem;
+    const fs::path recordings = to_path(settings_.recordings_folder());
+    fs::create_directories(recordings);
+    fs::copy_file(file_, recordings / "play.hrec");
+    std::ofstream(recordings / "play.hrec.unfinished").flush();
+    const fs::path copy = to_path(settings_.recovery_folder()) / "left" / "1" / "Anna.hep";
+    const fs::path saved = to_path(folder_.filePath("Anna.hep"));
+    for (const fs::path& place : {copy, saved}) {
+        fs::create_directories(place);
+        std::ofstream(place / "case.json").flush();
+    }
+    settings_.remember_patient(played().recording.patient_hash, to_text(saved));
+    std::vector<bool> unsaved;
+    MainWindow next(settings_,
+                    {[&unsaved](const OpenRequest& request, Job& job) {
+                         unsaved.push_back(request.unsaved_copy);
+                         return play(request.unsaved_copy ? test::small_patient() : other_patient(),
+                                     job);
+                     },
+                     [](const fs::path&, const PatientCase&) {}},
+                    answers());
+    next.show();
+    auto* look_back = next.messages().findChild<QPushButton*>("secondOffer");
+    ASSERT_EQ(look_back->text(), "Look back on the play");
+    look_back->click();
+    EXPECT_TRUE(wait_for([&] { return next.review().complete(); }));
+    EXPECT_EQ(unsaved, std::vector{true}) << "and nobody else";
+    EXPECT_FALSE(next.messages().text().contains("not there any more"))
+        << next.messages().text().toStdString();
 }
 
 // Who has to open the unsaved work first need not look for it in a menu.

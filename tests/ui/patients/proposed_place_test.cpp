@@ -25,7 +25,7 @@ using Numbers = std::vector<int>;
 
 class ProposedPlace : public testing::KeeperTest {};
 
-TEST_F(ProposedPlace, recovered_work_is_proposed_to_be_saved_in_the_case_that_it_is_of) {
+TEST_F(ProposedPlace, recovered_work_is_saved_in_the_case_that_it_is_of) {
     const QTemporaryDir temporary;
     const std::filesystem::path folder = temporary.path().toStdString();
     const std::filesystem::path place = folder / "anton.hep";
@@ -47,6 +47,12 @@ TEST_F(ProposedPlace, recovered_work_is_proposed_to_be_saved_in_the_case_that_it
     ASSERT_EQ(ward.workspace().title(), "anton.hep");
     EXPECT_TRUE(ward.workspace().dirty());
     ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.places_asked, 0);
+    EXPECT_EQ(ward.written.back(), "anton.hep");
+    EXPECT_EQ(ward.workspace().folder(), place);
+    EXPECT_FALSE(ward.workspace().dirty());
+    ward.keeper().ask_and_save();
     EXPECT_EQ(ward.proposed, place);
 }
 
