@@ -61,12 +61,17 @@ void give_focus_back_to(QWidget& view) {
 }
 
 void keep_focus_in_sight(QMainWindow& window, QWidget& view) {
-    QObject::connect(qApp, &QApplication::focusChanged, &window,
-                     [&window](QWidget* /*before*/, QWidget* now) {
-                         let_only_tabs_in_sight_take_focus(window);
-                         // The view may have taken it already, see give_focus_back_to().
-                         if (now == QApplication::focusWidget()) bring_into_sight(now, window);
-                     });
+    QObject::connect(
+        qApp, &QApplication::focusChanged, &window,
+        [&window, &view](QWidget* before, QWidget* now) {
+            let_only_tabs_in_sight_take_focus(window);
+            // The view may have taken it already, see give_focus_back_to().
+            if (now == nullptr || now != QApplication::focusWidget()) return;
+            // It came with the window, as after a dialog whose button is hidden now.
+            if (before == nullptr && window.isAncestorOf(now) && is_behind_another(*now))
+                return view.setFocus();
+            bring_into_sight(now, window);
+        });
     for (QDockWidget* dock : window.findChildren<QDockWidget*>())
         QObject::connect(dock, &QDockWidget::visibilityChanged, &view, [dock, &view] {
             const QWidget* focused = QApplication::focusWidget();

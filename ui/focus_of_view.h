@@ -14,8 +14,9 @@ namespace hepatica {
 void give_focus_back_to(QWidget& view);
 
 // A control that gets the focus is scrolled into sight, unless the mouse presses it, and its panel
-// comes to the front; a panel that goes behind another gives the focus to the view. For the panels
-// that the window has by now.
+// comes to the front, unless the focus comes with the window, as after a dialog: then the view gets
+// it. A panel that goes behind another gives the focus to the view. For the panels that the window
+// has by now.
 void keep_focus_in_sight(QMainWindow& window, QWidget& view);
 
 // Gives the focus to the next control in the order of Tab, or to the one before, that lies in no

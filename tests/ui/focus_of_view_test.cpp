@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QPushButton>
@@ -73,6 +75,29 @@ TEST_F(FocusInSight, what_gets_the_focus_otherwise_is_scrolled_into_sight) {
     buttons_.back()->setFocus();
     EXPECT_GT(scroll_->verticalScrollBar()->value(), 0);
     EXPECT_EQ(buttons_.back()->visibleRegion().boundingRect().height(), buttons_.back()->height());
+}
+
+// The button that opened a dialog is hidden before its window is active again: Qt chooses the next
+// control, be it in a panel behind another.
+TEST_F(FocusInSight, that_comes_back_with_the_window_brings_no_panel_to_the_front) {
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+    auto* behind = window_.findChild<QDockWidget*>();
+    auto* other = new QDockWidget("Other", &window_);
+    other->setWidget(new QWidget);
+    window_.addDockWidget(Qt::RightDockWidgetArea, other);
+    window_.tabifyDockWidget(behind, other);
+    other->raise();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return behind->visibleRegion().isEmpty(); }));
+    QDialog dialog(&window_);
+    dialog.show();
+    QApplication::setActiveWindow(&dialog);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.isActiveWindow(); }));
+    buttons_.front()->setFocus();
+    dialog.close();
+    QApplication::setActiveWindow(&window_);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QApplication::focusWidget() != nullptr; }));
+    EXPECT_TRUE(view_->hasFocus());
+    EXPECT_TRUE(behind->visibleRegion().isEmpty());
 }
 
 }  // namespace
