@@ -8,6 +8,7 @@
 
 #include "tests/ui/slices_test.h"
 #include "ui/patient_wizard.h"
+#include "ui/slices/seed_doubt.h"
 
 namespace hepatica {
 namespace {
@@ -110,6 +111,54 @@ TEST_F(Seeds, begin_the_next_reconstruction) {
                   0.051);
     }
     EXPECT_EQ(seeds().size(), 3u) << "a cancelled dialog changes nothing";
+}
+
+// A ball of contrast in a liver of 100 HU, beside which lies air.
+TEST(SeedDoubt, TellsWhatIsNoVesselOrFarFromTheLiverAndNothingElse) {
+    Grid grid;
+    grid.dims = {60, 20, 20};
+    grid.spacing_mm = Vec3(2, 2, 2);
+    Volume ct(grid);
+    Mask organs(grid);
+    for (int x = 0; x < 60; ++x)
+        for (int y = 0; y < 20; ++y)
+            for (int z = 0; z < 20; ++z) {
+                ct.at(x, y, z) = static_cast<std::int16_t>(x < 5 ? -1000 : x < 55 ? 150 : 700);
+                organs.at(x, y, z) = x >= 8 && x < 20 ? organ_label::liver : 0;
+            }
+    const auto doubt = [&](double x_mm, const Mask& of) {
+        return doubt_of_seed(Vec3(x_mm, 20, 20), ct, of);
+    };
+    EXPECT_EQ(doubt(30, organs), "");
+    EXPECT_EQ(doubt(60, organs), "") << "22 mm beside the liver, as the trunk may lie";
+    EXPECT_TRUE(doubt(70, organs).startsWith("Seed far outside the liver"));
+    EXPECT_EQ(doubt(70, {}), "") << "the case knows no liver";
+    EXPECT_TRUE(doubt(4, organs).startsWith("Seed at -1000 HU"));
+    EXPECT_TRUE(doubt(116, organs).startsWith("Seed at 700 HU"));
+}
+
+TEST_F(Seeds, are_told_with_the_values_of_their_places_and_kept_whatever_speaks_against_them) {
+    show_slices();
+    const auto text = [this] { return window_.findChild<QLabel*>("slicePlace")->text(); };
+    take(seeds_portal);
+    EXPECT_TRUE(text().contains("Click into the vessel")) << text().toStdString();
+    EXPECT_TRUE(text().contains(" HU")) << text().toStdString();
+    click(10, 5);
+    const QString there = QString::fromStdString(scene().describe(seeds().back().position_mm));
+    EXPECT_TRUE(text().endsWith(there)) << text().toStdString();
+    const std::size_t before = seeds().size();
+    std::size_t doubted = 0;
+    constexpr std::size_t more = 9;  // of values from 20 to 820 HU
+    for (std::size_t i = 0; i < more; ++i) {
+        const Vec3 place(0, 0, 3.0 * static_cast<double>(i));
+        scene().seeds().add(place);
+        const bool odd = !doubt_of_seed(place, ct_, {}).isEmpty();
+        EXPECT_EQ(text().startsWith("Seed at "), odd) << text().toStdString();
+        doubted += odd;
+    }
+    EXPECT_EQ(seeds().size(), before + more) << "none is refused";
+    EXPECT_GT(doubted, 0u);
+    EXPECT_LT(doubted, more);
 }
 
 TEST_F(Seeds, belong_to_one_patient) {

@@ -16,6 +16,7 @@
 
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/slices/seed_doubt.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -252,8 +253,7 @@ QString SliceBar::guidance() const {
         case moves_crosshair:
             return {};
         default:
-            return Words::tr("Click into the vessel (%1), then Reconstruct. Delete: one back")
-                .arg(translated(title_of(*scene_.seeds().taken())));
+            return guidance_of_seeds();
     }
     const std::size_t places = scene_.pen().places_mm().size();
     return places == 0   ? Words::tr("Click where the missing vessel begins, then along it")
@@ -261,6 +261,18 @@ QString SliceBar::guidance() const {
                          : Words::tr(
                                "Click on, or draw it (Enter). Delete or Ctrl+Z: one back. "
                                "Esc: all");
+}
+
+// What is odd about the last one comes first.
+QString SliceBar::guidance_of_seeds() const {
+    const SeedMarks& marks = scene_.seeds();
+    if (!marks.seeds().empty() && !scene_.empty()) {
+        const QString doubt =
+            doubt_of_seed(marks.seeds().back().position_mm, scene_.ct(), scene_.tumours().organs());
+        if (!doubt.isEmpty()) return doubt;
+    }
+    return Words::tr("Click into the vessel (%1), then Reconstruct. Delete: one back")
+        .arg(translated(title_of(*marks.taken())));
 }
 
 // The value below the least radius stands for the one that is measured in the CT.
@@ -366,15 +378,20 @@ void SliceBar::follow_tumours() {
 
 void SliceBar::follow_click() {
     const VesselPen& pen = scene_.pen();
+    const SeedMarks& seeds = scene_.seeds();
     click_->setCurrentIndex(chosen_click());
-    if (const QString next = guidance(); !next.isEmpty())
+    if (const QString next = guidance(); !next.isEmpty()) {
         say(next);
-    else if (!std::exchange(said_, {}).isEmpty())
+        // Whether one is in the vessel is seen by the HU.
+        if (seeds.taken())
+            show_place(seeds.seeds().empty() ? scene_.crosshair_mm()
+                                             : seeds.seeds().back().position_mm);
+    } else if (!std::exchange(said_, {}).isEmpty()) {
         show_place(scene_.crosshair_mm());  // removes the former guidance
+    }
     vessel_radius_->setVisible(pen.taken());
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
-    const SeedMarks& seeds = scene_.seeds();
     reconstruct_->setVisible(seeds.taken() || seeds.changed());
     reconstruct_->setEnabled(!seeds.seeds().empty() || seeds.changed());
 }

@@ -48,6 +48,7 @@ class SliceBar : public QWidget {
     void choose_click(int index);
     int chosen_click() const;
     QString guidance() const;
+    QString guidance_of_seeds() const;
     void follow_click();
     void follow_window();
 
