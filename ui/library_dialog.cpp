@@ -201,8 +201,17 @@ void LibraryDialog::open_and_take_in(const fs::path& from) {
 }
 
 void LibraryDialog::do_when_idle(std::function<void()> what) {
-    if (!busy_) return what();
-    when_idle_ = std::move(what);
+    when_idle_.push_back(std::move(what));
+    // Otherwise the end of the job, or the event that it has posted, comes to it.
+    if (!busy_ && when_idle_.size() == 1) do_what_waits();
+}
+
+void LibraryDialog::do_what_waits() {
+    while (!busy_ && !when_idle_.empty()) {
+        const std::function<void()> what = std::move(when_idle_.front());
+        when_idle_.pop_front();
+        what();
+    }
 }
 
 void LibraryDialog::refresh() {
@@ -240,10 +249,7 @@ void LibraryDialog::run(Doing doing, BackgroundJob::Work work) {
         show_chosen();
         if (!said_.isEmpty()) messages_->show_notice(std::exchange(said_, {}));
         if (failed_) messages_->show_failure(*std::exchange(failed_, std::nullopt));
-        if (when_idle_)
-            QTimer::singleShot(0, this, [this] {
-                if (when_idle_) do_when_idle(std::exchange(when_idle_, nullptr));
-            });
+        QTimer::singleShot(0, this, [this] { do_what_waits(); });
     };
     busy_ = true;
     show_chosen();
@@ -368,7 +374,10 @@ void LibraryDialog::give_away(const fs::path& to) {
 
 void LibraryDialog::write_one_file(const fs::path& from, const fs::path& to, bool lacks_work) {
     const auto shelved = std::ranges::find(cases_, from, &ShelvedCase::place);
-    if (shelved == cases_.end()) return;  // it is gone, or another folder is shown
+    if (shelved == cases_.end())
+        return messages_->show_notice(
+            Words::tr("“%1” was not copied: it does not lie in the folder that is shown any more.")
+                .arg(to_text(from.filename())));
     std::vector<fs::path> files;
     for (const ShelvedLesson& lesson : shelved->lessons)
         if (lesson.patient == ShelvedLesson::Patient::this_case) files.push_back(lesson.file);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QDialog>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -82,8 +83,9 @@ class LibraryDialog : public QDialog {
     void copy(const std::filesystem::path& from, const std::filesystem::path& to);
     void write_one_file(const std::filesystem::path& from, const std::filesystem::path& to,
                         bool lacks_work);
-    // At once, or when the job that runs has ended.
+    // At once, or when the job that runs, and what was asked for before, has ended.
     void do_when_idle(std::function<void()> what);
+    void do_what_waits();
     // Chooses a case of the folder and puts the lessons in its file beside it.
     void choose_here(const std::filesystem::path& place);
     // A job as a failure names it, and as it is called while it runs.
@@ -98,12 +100,12 @@ class LibraryDialog : public QDialog {
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
-    QString under_way_;                // while busy
-    bool reread_ = false;              // read the folder when the job has ended
-    QString said_;                     // to be told when the folder was read again
-    std::optional<Failure> failed_;    // likewise
-    std::function<void()> when_idle_;  // see do_when_idle()
-    std::filesystem::path chosen_;     // chosen again after the folder was read
+    QString under_way_;                            // while busy
+    bool reread_ = false;                          // read the folder when the job has ended
+    QString said_;                                 // to be told when the folder was read again
+    std::optional<Failure> failed_;                // likewise
+    std::deque<std::function<void()>> when_idle_;  // see do_when_idle()
+    std::filesystem::path chosen_;                 // chosen again after the folder was read
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     MessageBar* messages_ = nullptr;

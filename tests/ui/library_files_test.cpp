@@ -85,6 +85,35 @@ TEST_F(LibraryTest, refuses_a_file_called_like_a_folder_before_it_reads_the_case
     }
 }
 
+TEST_F(LibraryTest, writes_every_file_that_was_asked_for_while_it_was_busy) {
+    open_library();
+    std::vector<fs::path> files;
+    for (const char* name : {"one.hepz", "two.hepz", "three.hepz"}) {
+        files.push_back(to_path(folder_.filePath(name)));
+        dialog().give_away(files.back());
+    }
+    ASSERT_TRUE(dialog().busy());
+    for (const fs::path& file : files)
+        EXPECT_TRUE(wait_for([&] { return fs::exists(file); })) << file;
+    EXPECT_TRUE(wait_for([this] { return !dialog().busy(); }));
+}
+
+TEST_F(LibraryTest, says_what_it_does_not_copy_because_another_folder_is_shown_by_now) {
+    open_library();
+    const fs::path one = to_path(folder_.filePath("one.hepz"));
+    const fs::path two = to_path(folder_.filePath("two.hepz"));
+    dialog().give_away(one);
+    dialog().give_away(two);
+    const fs::path other = to_path(folder_.filePath("other"));
+    fs::create_directory(other);
+    settings_.set_library_folder(to_text(other));
+    EXPECT_TRUE(wait_for([this] {
+        return dialog().messages().text().contains("first.hep” was not copied");
+    })) << dialog().messages().text().toStdString();
+    EXPECT_TRUE(fs::exists(one));
+    EXPECT_FALSE(fs::exists(two));
+}
+
 TEST_F(LibraryTest, says_what_its_grey_buttons_wait_for) {
     open_library();
     const auto* said = dialog().findChild<QLabel*>("libraryWaits");
