@@ -162,6 +162,7 @@ class MainWindow : public QMainWindow {
     void connect_volume();
     void say_why_no_volume(const Failure& failure);
     void show_volume_bar();
+    void show_reading_of_volume();
     void show_volume_look();
 
     // main_window_slices.cpp: slices of the CT, and corrections.

@@ -79,6 +79,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
         liver_->show_patient(patient_->patient, patient_->folder);
         volume_->show_patient(patient_->patient, patient_->folder, patient_->image);
+        show_reading_of_volume();
     }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());

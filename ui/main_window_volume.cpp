@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the window for the CT as a volume: menu entry, bar, and where the CT comes from.
-#include <QStatusBar>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -19,32 +18,34 @@ namespace hepatica {
 
 void MainWindow::build_volume(QWidget* parent) {
     volume_look_ = settings_.volume_look();
-    volume_bar_ = new VolumeBar(
-        volume_look_,
-        [this](VolumePreset preset, double density) {
-            volume_look_.preset = preset;
-            volume_look_.density = density;
-            settings_.set_volume_look(volume_look_);
-            show_volume_look();
-        },
-        parent);
-    volume_bar_->setEnabled(false);
+    volume_bar_ = new VolumeBar(volume_look_,
+                                {[this](VolumePreset preset, double density) {
+                                     volume_look_.preset = preset;
+                                     volume_look_.density = density;
+                                     settings_.set_volume_look(volume_look_);
+                                     show_volume_look();
+                                 },
+                                 [this] { (*actions_)[ActionId::toggle_volume].trigger(); }},
+                                parent);
     volume_bar_->hide();
 }
 
 void MainWindow::connect_volume() {
     VolumeKeeper::Screen screen;
     screen.show = [this](std::shared_ptr<const Volume> ct) {
-        volume_bar_->setEnabled(ct != nullptr);
+        volume_bar_->show_read(ct != nullptr);
         show_volume_bar();
         view_->scene().set_volume(std::move(ct));
         view_->draw_again();
     };
     screen.of_slices = [this] { return view_layout_->slices().shared_ct(); };
     screen.progress = [this](const JobProgress& now) {
-        statusBar()->showMessage(translated(now.stage) + "…", 2000);
+        if (!now.stage.empty()) volume_bar_->show_reading(translated(now.stage) + "…");
     };
-    screen.failed = [this](const Failure& failure) { say_why_no_volume(failure); };
+    screen.failed = [this](const Failure& failure) {
+        volume_bar_->show_read(false);
+        say_why_no_volume(failure);
+    };
     volume_ =
         std::make_unique<VolumeKeeper>(settings_, view_layout_->ct_readings(), std::move(screen));
     SliceScene& slices = view_layout_->slices();
@@ -64,7 +65,13 @@ void MainWindow::connect_volume() {
         settings_.set_volume_shown(action.isChecked());
         volume_->set_wanted(action.isChecked());
         show_volume_bar();
+        show_reading_of_volume();
     });
+}
+
+// At once: the first word of a reading may come after seconds.
+void MainWindow::show_reading_of_volume() {
+    if (volume_->making()) volume_bar_->show_reading(Words::tr("Reading the CT…"));
 }
 
 // Shown as soon as the CT is wanted, so that the pictures do not move when it has been read.
@@ -79,7 +86,10 @@ void MainWindow::show_volume_look() {
 void MainWindow::say_why_no_volume(const Failure& failure) {
     log_->add_failure(Words::tr("CT as volume"), failure);
     messages_->show_notice(in_one_sentence(failure), Words::tr("Choose the CT…"), [this] {
-        if (const auto place = ask_where_ct_lies(*this, settings_)) volume_->read_from(*place);
+        const auto place = ask_where_ct_lies(*this, settings_);
+        if (!place) return;
+        volume_->read_from(*place);
+        show_reading_of_volume();
     });
 }
 

@@ -145,6 +145,23 @@ TEST_F(VolumeInWindow, PushesThePicturesDownOnlyWithItsKey) {
     EXPECT_EQ(views().mapToGlobal(QPoint()), before);
 }
 
+// Of a large CT it takes several seconds.
+TEST_F(VolumeInWindow, CanBeCancelledWhileItIsReadAndBegunAgain) {
+    auto* cancel = window_.findChild<QPushButton*>("cancelVolume");
+    EXPECT_FALSE(cancel->isVisible());
+    window_.volume().show_patient(patient_, {}, file_);
+    QTest::keyClick(&window_, Qt::Key_V, Qt::ShiftModifier);
+    ASSERT_TRUE(cancel->isVisible());
+    cancel->click();
+    EXPECT_FALSE(window_.volume().making());
+    EXPECT_FALSE(window_.volume().wanted());
+    EXPECT_FALSE(action().isChecked());
+    EXPECT_FALSE(bar().isVisible());
+    show_volume();
+    EXPECT_FALSE(cancel->isVisible()) << "it is there";
+    EXPECT_TRUE(action().isChecked());
+}
+
 TEST_F(VolumeInWindow, LooksAsItsBarSays) {
     show_volume();
     const QImage first = window_.view().picture();
@@ -176,6 +193,7 @@ TEST_F(VolumeInWindow, SaysWhyThereIsNone) {
         << window_.messages().text().toStdString();
     EXPECT_TRUE(window_.messages().findChild<QPushButton*>("offer")->isVisible());
     EXPECT_FALSE(bar().isEnabled());
+    EXPECT_FALSE(window_.findChild<QPushButton*>("cancelVolume")->isVisible());
 }
 
 TEST(VolumeSettings, AreKeptAndTakeNoNonsense) {
