@@ -9,6 +9,7 @@
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/reconstruct.h"
+#include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/remade_case.h"
 #include "core/reconstruction/vessel_preview.h"
 #include "core/reconstruction/vessel_segmentation.h"
@@ -23,6 +24,7 @@ TEST(ReconstructionInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, MeasuredLiver);
     HEPATICA_ADD_INITIAL(figures, DetectedVessels);
     HEPATICA_ADD_INITIAL(figures, FromVoxelsOptions);
+    HEPATICA_ADD_INITIAL(figures, GivenParts);
     HEPATICA_ADD_INITIAL(figures, VoxelCounts);
     HEPATICA_ADD_INITIAL(figures, VoxelChecks);
     HEPATICA_ADD_INITIAL(figures, VesselLabel);
