@@ -131,7 +131,7 @@ PatientCase whole_case(const PatientCase& patient, const fs::path& folder,
                        const std::vector<TreeEdit>& edits, Job& job) {
     PatientCase whole = patient;
     const bool reads = !folder.empty() && whole.mask.voxels.empty();
-    if (reads) add_voxels(folder, whole);
+    if (reads) whole.kept_voxels ? add_kept_voxels(whole) : add_voxels(folder, whole);
     if (!reads && edits == patient.corrections.edits) return whole;
     set_tumour_strokes(whole, edits);  // the case on disk may have others
     label_segments(whole, job);

@@ -46,10 +46,10 @@ Mask canvas_voxels(const PatientCase& patient, const std::filesystem::path& fold
 Mask segment_voxels(const PatientCase& patient, const std::filesystem::path& folder, bool corrected,
                     Job& job);
 
-// The patient with its voxels, read from the case in `folder` where it has none, with tumours as
-// the strokes among `edits` leave them and with Couinaud's segments for the present tree. The edits
-// of the tree among `edits` must be those that the patient has already. Throws InputError as
-// read_case() does; Cancelled.
+// The patient with its voxels, as they were when it was read or, where it kept none of them, read
+// from the case in `folder`, with tumours as the strokes among `edits` leave them and with
+// Couinaud's segments for the present tree. The edits of the tree among `edits` must be those that
+// the patient has already. Throws InputError as read_case() does; Cancelled.
 PatientCase whole_case(const PatientCase& patient, const std::filesystem::path& folder,
                        const std::vector<TreeEdit>& edits, Job& job);
 

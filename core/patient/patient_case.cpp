@@ -24,9 +24,11 @@
 #include "core/image/volume_writer.h"
 #include "core/mesh/mesh_io.h"
 #include "core/patient/case_archive.h"
+#include "core/patient/case_folder.h"
 #include "core/patient/case_header.h"
 #include "core/patient/corrections.h"
 #include "core/patient/format_1.h"
+#include "core/patient/kept_files.h"
 #include "core/patient/painted_tumours.h"
 #include "core/tree/files/tree_io.h"
 
@@ -186,20 +188,17 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     return patient;
 }
 
-// Calls use(folder) with the case's folder: `place` itself, or the folder that an archive is
-// unpacked to. Errors then name the archive.
-template <typename Use>
-auto in_folder(const fs::path& place, const Use& use) {
-    if (!is_case_archive(place)) return use(place);
-    const TemporaryFolder unpacked;
-    unpack_case(place, unpacked.path());
+// What read_all_voxels() reads; none where it cannot be read, which is no reason to refuse a
+// patient whose voxels nobody asks for.
+std::shared_ptr<const KeptFiles> kept_voxels_of(const fs::path& folder) {
+    using namespace case_file;
+    std::vector<const char*> names{header, mask, skeleton, organs, unpainted, couinaud};
     try {
-        return use(unpacked.path());
-    } catch (const InputError& error) {
-        std::string where = error.place();
-        const std::string folder = unpacked.path().string();
-        if (where.starts_with(folder)) where.replace(0, folder.size(), place.string());
-        throw InputError(error.problem(), where, error.remedy());
+        if (read_case_header(folder).version == 1)  // its systems are those of the tree
+            names.insert(names.end(), {tree, extracted});
+        return std::make_shared<const KeptFiles>(folder, names);
+    } catch (const InputError&) {
+        return nullptr;
     }
 }
 
@@ -355,6 +354,16 @@ void add_voxels(const fs::path& place, PatientCase& patient) {
     patient.voxels_at.clear();
 }
 
+void add_kept_voxels(PatientCase& patient) {
+    const TemporaryFolder files;
+    patient.kept_voxels->write_to(files.path());
+    in_place_of(files.path(), patient.voxels_at, [&](const fs::path& folder) {
+        read_all_voxels(folder, header_of_same(folder, patient.voxels_at, patient), patient);
+    });
+    patient.voxels_at.clear();
+    patient.kept_voxels.reset();
+}
+
 Mask organs_of(const PatientCase& patient) {
     if (!patient.organs.voxels.empty() || patient.voxels_at.empty()) return patient.organs;
     return in_folder(patient.voxels_at, [&](const fs::path& folder) {
@@ -380,8 +389,11 @@ PatientCase read_case(const fs::path& place) {
 }
 
 PatientCase read_case_without_voxels(const fs::path& place) {
-    PatientCase patient =
-        in_folder(place, [](const fs::path& folder) { return read(folder, false); });
+    PatientCase patient = in_folder(place, [](const fs::path& folder) {
+        PatientCase lean = read(folder, false);
+        lean.kept_voxels = kept_voxels_of(folder);
+        return lean;
+    });
     patient.voxels_at = place;
     return patient;
 }

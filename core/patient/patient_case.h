@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@
 
 namespace hepatica {
 
-class Job;  // core/base/job.h
+class Job;        // core/base/job.h
+class KeptFiles;  // core/patient/kept_files.h
 
 // Where a case came from and how it was made.
 struct CaseSource {
@@ -92,6 +94,9 @@ struct PatientCase {
     // The case that holds the voxels, where the patient was read without them; else empty. Not
     // stored.
     std::filesystem::path voxels_at;
+    // The files of those voxels as they were when he was read; null where he has them, and where
+    // they could not be read. Not stored.
+    std::shared_ptr<const KeptFiles> kept_voxels;
 };
 
 // Whether this is a folder with a case.json or an existing file NAME.hepz; it may be unreadable.
@@ -127,6 +132,10 @@ PatientCase read_case_without_voxels(const std::filesystem::path& place);
 // Reads a case's voxels into a patient that was read without them. Throws InputError as above, and
 // where the place holds a case of another CT or other parameters; only `source` is compared.
 void add_voxels(const std::filesystem::path& place, PatientCase& patient);
+
+// The same from `kept_voxels`, which must be there: whatever became of the case on disk. Throws
+// InputError where the files are damaged, or there is no room for temporary ones.
+void add_kept_voxels(PatientCase& patient);
 
 // The labels of organs: the patient's own, or those on disk of the case it was read from; empty
 // where there are none. Throws InputError as above.

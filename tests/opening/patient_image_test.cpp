@@ -161,6 +161,10 @@ TEST_F(PatientImage, TumoursOfTheWholeCaseAreThoseOfTheStrokesThatAreWanted) {
     EXPECT_EQ(whole_case(opened, folder, {}, job_).organs.voxels, patient.organs.voxels);
     EXPECT_EQ(whole_case(on_disk, {}, {first, second}, job_).organs.voxels, wanted.organs.voxels)
         << "of one with his voxels in memory, too";
+    fs::rename(folder, folder_ / "moved.hep");
+    EXPECT_EQ(whole_case(opened, folder, {first, second}, job_).organs.voxels, wanted.organs.voxels)
+        << "although its case is not there any more";
+    fs::rename(folder_ / "moved.hep", folder);
     const Mask canvas = canvas_voxels(opened, folder);
     EXPECT_TRUE(tumours_in(canvas).empty());
     EXPECT_EQ(canvas.voxels, tumour_canvas(patient).voxels);

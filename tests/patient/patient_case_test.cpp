@@ -100,6 +100,29 @@ TEST_F(PatientCaseTest, GivesItsVoxelsToNoOtherPatient) {
     EXPECT_EQ(opened.mask.voxels, some_patient().mask.voxels);
 }
 
+// The voxels go on being those that he was read with, also where his case was moved away or is
+// another one by now.
+TEST_F(PatientCaseTest, KeepsItsVoxelsWhateverBecomesOfItsPlace) {
+    PatientCase patient = some_patient();
+    patient.corrections.unpainted = patient.organs;
+    write_case(case_, patient);
+    const PatientCase opened = read_case_without_voxels(case_);
+    patient.mask.at(1, 1, 1) = 2;
+    write_case(case_, patient);
+    PatientCase beside_another = opened;
+    add_kept_voxels(beside_another);
+    EXPECT_EQ(beside_another.mask.voxels, some_patient().mask.voxels);
+    fs::remove_all(case_);
+    PatientCase alone = opened;
+    add_kept_voxels(alone);
+    EXPECT_EQ(alone.mask.voxels, some_patient().mask.voxels);
+    EXPECT_EQ(alone.mask.grid.origin_mm, some_patient().mask.grid.origin_mm) << "to the bit";
+    EXPECT_EQ(alone.skeleton.voxels, some_patient().skeleton.voxels);
+    EXPECT_EQ(alone.organs.voxels, some_patient().organs.voxels);
+    EXPECT_EQ(alone.corrections.unpainted.voxels, some_patient().organs.voxels);
+    EXPECT_EQ(alone.kept_voxels, nullptr) << "they are held once";
+}
+
 TEST_F(PatientCaseTest, WritesTheSameBytesEveryTime) {
     write_case(case_, some_patient());
     write_case(folder_ / "again.hep", some_patient());

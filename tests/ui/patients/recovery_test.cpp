@@ -61,6 +61,27 @@ TEST_F(Unsaved, HoldsTumoursThatWerePainted) {
     EXPECT_EQ(tumours_in(kept.organs).size(), 1u);
 }
 
+// The case was renamed, or its disk taken out, while it was open.
+TEST_F(Unsaved, IsKeptWholeAlthoughItsCaseIsNotThereAnyMore) {
+    const fs::path place = fs::path(temporary_.path().toStdString()) / "anton.hep";
+    PatientCase patient = *test::small_patient();
+    patient.mask = Mask(Grid{{20, 20, 20}}, 1);
+    write_case(place, patient);
+    auto crashed = program();
+    OpenedPatient opened = reconstructed();
+    opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(place));
+    opened.folder = place;
+    workspace_.open(opened);
+    fs::remove_all(place);
+    crashed->follow(workspace_);
+    ASSERT_TRUE(rest(*crashed));
+    crashed.reset();
+    EXPECT_TRUE(failures_.empty());
+    const auto left = seen_by_another();
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(read_case(left[0]).mask.voxels, patient.mask.voxels);
+}
+
 TEST_F(Unsaved, IsGoneWhenItIsSavedOrTheProgramEnds) {
     auto recovery = program();
     workspace_.open(reconstructed());
