@@ -85,13 +85,16 @@ void PatientKeeper::start_opening(const OpenRequest& request, const std::string&
                 const auto series = ways_.list_series(request, progress);
                 if (!series.empty())
                     return [this, request, series] { choose_series(request, series); };
+                // Before it is read: a change in between shows when it is saved.
+                const std::string digest =
+                    request.built_in ? std::string() : ways_.digest(request.reconstruct.ct);
                 // std::function must be copyable; a LoadedPatient is not.
                 auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
                 if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
-                return [this, request, loaded] {
+                return [this, request, loaded, digest] {
                     if (!request.built_in && !request.unsaved_copy && !request.left_edits)
                         screen_.remember(request.reconstruct.ct);
-                    arrived(request, loaded);
+                    arrived(request, loaded, digest);
                 };
             };
     };
@@ -125,9 +128,10 @@ void PatientKeeper::choose_series(OpenRequest request,
 
 // The former patient may have been corrected or played on while this one was prepared.
 void PatientKeeper::arrived(const OpenRequest& request,
-                            const std::shared_ptr<LoadedPatient>& loaded) {
+                            const std::shared_ptr<LoadedPatient>& loaded,
+                            const std::string& digest) {
     opening_.reset();
-    const auto show = [this, request, loaded] {
+    const auto show = [this, request, loaded, digest] {
         // The case was saved again after it was read, so what was read is outdated.
         if (written_.contains(loaded->folder)) return start_opening(request);
         if (!play_let_go()) return screen_.not_opened();
@@ -135,6 +139,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded, request.reconstruct.series);
+        if (!loaded->folder.empty()) workspace_.set_digest(digest);
         workspace_.set_recovered(Recovery::case_of(loaded->kept_copy));
         // Before the edits there is nothing of him worth keeping, so they come first.
         if (request.left_edits) workspace_.take_up(*request.left_edits);
@@ -292,9 +297,10 @@ bool PatientKeeper::save(std::function<void()> written) {
     return ask_and_save(std::move(written));
 }
 
-bool PatientKeeper::ask_and_save(std::function<void()> written) {
+bool PatientKeeper::ask_and_save(const std::filesystem::path& proposed,
+                                 std::function<void()> written) {
     if (!workspace_.has_patient()) return false;
-    const std::optional<std::filesystem::path> folder = questions_.where_to_save(proposed_folder());
+    const std::optional<std::filesystem::path> folder = questions_.where_to_save(proposed);
     if (folder) save_as(*folder, std::move(written));
     return folder.has_value();
 }
@@ -319,12 +325,7 @@ std::filesystem::path PatientKeeper::proposed_folder() const {
 
 void PatientKeeper::save_as(const std::filesystem::path& folder, std::function<void()> written) {
     if (!workspace_.has_patient()) return;
-    QueuedJob job;
-    job.kind = JobKind::save;
-    job.title = Words::tr("Saving %1").arg(to_text(folder.filename())).toStdString();
-    job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal(),
-                 written = std::move(written)] { return writing(folder, written); };
-    add_writing(std::move(job));
+    add_saving({std::filesystem::absolute(folder).lexically_normal(), std::move(written), {}});
 }
 
 // Runs after all other jobs; if it fails or is cancelled, a pending leave() is dropped.
@@ -338,30 +339,6 @@ void PatientKeeper::add_writing(QueuedJob job) {
         screen_.say(Words::tr("Not saved").toStdString());
     };
     jobs_.add(std::move(job));
-}
-
-BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder,
-                                           const std::function<void()>& written) {
-    return [this, folder, written, patient = workspace_.patient(), edits = workspace_.made_edits(),
-            measured = workspace_.measured(),
-            voxels = workspace_.folder()](Job& job) -> std::function<void()> {
-        job.begin_stage(Words::id("Writing the case"));
-        PatientCase whole = whole_case(*patient, voxels, edits, job);
-        whole.measured = measured;
-        ways_.save(folder, whole);
-        return [this, folder, written, edits = whole.corrections.edits, measured] {
-            workspace_.saved(folder, edits, measured);
-            written_.insert(folder);
-            screen_.remember(folder);
-            screen_.case_written(folder);
-            screen_.changed();
-            const QString text = workspace_.strokes().empty()
-                                     ? Words::tr("Saved %1")
-                                     : Words::tr("Saved %1, without strokes that wait for Rebuild");
-            screen_.say(text.arg(to_text(folder)).toStdString());
-            if (written) written();
-        };
-    };
 }
 
 void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesystem::path& file,

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "core/patient/case_digest.h"
 #include "core/patient/corrections.h"
 #include "core/reconstruction/remade_case.h"
 #include "ui/back_ends.h"
@@ -20,6 +21,8 @@
 namespace hepatica {
 
 enum class UnsavedAnswer { save, discard, cancel };
+// Of a case that another program has changed on the disk.
+enum class ChangedAnswer { replace, save_as, cancel };
 enum class StrokesAnswer { rebuild, drop, cancel };
 // Of a case that is to be copied and holds unsaved work.
 enum class CopyAnswer { save, as_saved, cancel };
@@ -57,12 +60,17 @@ class PatientKeeper {
         Recovery::Write keep{};
         // Back ends for everything played; load and play_on must use them too.
         std::shared_ptr<BackEnds> back_ends = std::make_shared<BackEnds>();
+        // Tells whether a case on disk is still the one that was opened or saved.
+        std::function<std::string(const std::filesystem::path& place)> digest = digest_of_case;
     };
     // Questions to the user, answered synchronously; tests answer them themselves.
     struct Questions {
         std::function<UnsavedAnswer(const std::string& title)> unsaved;
         // This many strokes at the vessels wait for a rebuild; a case cannot hold them.
         std::function<StrokesAnswer(const std::string& title, std::size_t strokes)> strokes;
+        // Before a case is replaced that is not the one that was opened or last saved here.
+        std::function<ChangedAnswer(const std::filesystem::path& place)> changed_on_disk =
+            [](const std::filesystem::path&) { return ChangedAnswer::cancel; };
         // Before a copy of the case on disk, which lacks what is not saved.
         std::function<CopyAnswer(const std::string& title)> copy_of_unsaved =
             [](const std::string&) { return CopyAnswer::cancel; };
@@ -140,9 +148,12 @@ class PatientKeeper {
     void remake(std::shared_ptr<const Volume> ct, Mask vessels);
     // save() writes to the case that he belongs to (Workspace::home()), or asks for a place if
     // there is none; ask_and_save() always asks. False: cancelled. `written` is called once the
-    // case is written, and not if that fails.
+    // case is written, and not if that fails. Where another case lies there than was opened or
+    // saved here, it asks first; one that is gone is made anew.
     bool save(std::function<void()> written = {});
-    bool ask_and_save(std::function<void()> written = {});
+    bool ask_and_save(std::function<void()> written = {}) {
+        return ask_and_save(proposed_folder(), std::move(written));
+    }
     // What files about the patient are called after: his title without an ending or a path.
     QString case_name() const;
     void save_as(const std::filesystem::path& folder, std::function<void()> written = {});
@@ -182,7 +193,8 @@ class PatientKeeper {
     // Adds a callback that shows the CT on the UI thread while this opening is the newest.
     OpenRequest request_that_tells(OpenRequest request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
-    void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);
+    void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded,
+                 const std::string& digest);
     BackgroundJob::Work accepting(double confidence);
     void correct(JobQueue::Turn turn = JobQueue::Turn::last);
     struct Possible {
@@ -208,8 +220,17 @@ class PatientKeeper {
                           void (Workspace::*take)());
     bool waits_for_remaking() const;
     void add_writing(QueuedJob job);
-    BackgroundJob::Work writing(const std::filesystem::path& folder,
-                                const std::function<void()>& written);
+    // A case to write; `replaces`: the digest of the case there that may be replaced, or nullopt:
+    // the one that was opened or last saved.
+    struct Saving {
+        std::filesystem::path folder;
+        std::function<void()> written;
+        std::optional<std::string> replaces;
+    };
+    void add_saving(const Saving& saving);
+    BackgroundJob::Work writing(const Saving& saving);
+    bool ask_and_save(const std::filesystem::path& proposed, std::function<void()> written);
+    void ask_about_changed(Saving saving);
     // The body that is being made will not come; see Workspace::give_up_edits(). What still waits
     // then is computed.
     Workspace::GivenUp give_up_what_waits();

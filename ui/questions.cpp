@@ -71,6 +71,25 @@ CopyAnswer ask_copy_of_unsaved(QWidget& parent, const std::string& title) {
     return answer == QMessageBox::Save ? CopyAnswer::save : CopyAnswer::cancel;
 }
 
+ChangedAnswer ask_changed_on_disk(QWidget& parent, const std::filesystem::path& place) {
+    QMessageBox box(
+        QMessageBox::Question, "Hepatica",
+        as_plain(Words::tr("%1 was changed on the disk since it was opened or saved here.")
+                     .arg(to_text(place.filename()))),
+        QMessageBox::Cancel, &parent);
+    box.setInformativeText(
+        Words::tr("Another program or person has saved there. Replacing it loses what they have "
+                  "done; under another name both are kept."));
+    QPushButton* save_as = box.addButton(Words::tr("Save &as…"), QMessageBox::AcceptRole);
+    QPushButton* replace = box.addButton(Words::tr("&Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(save_as);
+    box.setEscapeButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == replace   ? ChangedAnswer::replace
+           : box.clickedButton() == save_as ? ChangedAnswer::save_as
+                                            : ChangedAnswer::cancel;
+}
+
 bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
     QMessageBox box(QMessageBox::Question, "Hepatica",
                     as_plain(Words::tr("The lesson %1 is being played.").arg(translated(lesson))),
@@ -119,6 +138,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     };
     questions.copy_of_unsaved = [&parent](const std::string& title) {
         return ask_copy_of_unsaved(parent, title);
+    };
+    questions.changed_on_disk = [&parent](const std::filesystem::path& place) {
+        return ask_changed_on_disk(parent, place);
     };
     questions.which_series =
         [&parent](const std::vector<SeriesDescription>& series) -> std::optional<int> {

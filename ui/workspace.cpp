@@ -40,6 +40,7 @@ void Workspace::open(const OpenedPatient& opened, int series) {
     title_ = opened.title;
     patient_ = opened.patient;
     folder_ = opened.folder;
+    digest_.clear();
     image_ = opened.image;
     series_ = series;
     kept_copy_ = opened.kept_copy;
@@ -298,6 +299,7 @@ bool Workspace::measure(std::vector<KeptMeasurement> measured) {
 void Workspace::saved(const std::filesystem::path& folder, const Edits& edits,
                       const std::vector<KeptMeasurement>& measured) {
     base_ = folder_ = folder;
+    digest_.clear();
     title_ = folder.filename().string();
     saved_edits_ = edits;
     saved_measured_ = measured;

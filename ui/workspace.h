@@ -48,6 +48,9 @@ class Workspace {
     // The case on disk that he belongs to: folder(), or the one whose unsaved work was recovered;
     // empty: none.
     const std::filesystem::path& home() const { return folder_.empty() ? recovered_ : folder_; }
+    // digest_of_case() of folder() as it was opened or last saved here; empty: not known.
+    const std::string& digest() const { return digest_; }
+    void set_digest(std::string digest) { digest_ = std::move(digest); }
     // His unsaved work is that of this case; empty: of none.
     void set_recovered(const std::filesystem::path& place) { recovered_ = place; }
 
@@ -167,6 +170,7 @@ class Workspace {
     std::string title_;
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
+    std::string digest_;  // see digest()
     std::filesystem::path image_;
     int series_ = 0;
     std::filesystem::path kept_copy_;

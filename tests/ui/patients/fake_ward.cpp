@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/tree/editing/tree_edit.h"
 
 namespace hepatica::testing {
 
@@ -41,6 +42,10 @@ FakeWard::FakeWard() {
     answers.strokes = [this](const std::string&, std::size_t strokes) {
         strokes_asked.push_back(strokes);
         return strokes_answer;
+    };
+    answers.changed_on_disk = [this](const std::filesystem::path& place) {
+        changed_asked.push_back(place.filename().string());
+        return changed_answer;
     };
     answers.where_to_save =
         [this](const std::filesystem::path& to) -> std::optional<std::filesystem::path> {
@@ -110,6 +115,16 @@ std::vector<TreeEdit> FakeWard::edits_on_disk(const std::string& name) const {
     return disk_.at(path_of(name)).corrections.edits;
 }
 
+void FakeWard::save_by_another(const std::string& name, const std::vector<TreeEdit>& edits) {
+    const std::lock_guard lock(mutex_);
+    disk_[path_of(name)].corrections.edits = edits;
+}
+
+void FakeWard::remove_by_another(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    disk_.erase(path_of(name));
+}
+
 void FakeWard::hold(const std::atomic<bool>& held, Job& job) const {
     job.begin_stage("work");
     if (slowness_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(slowness_us));
@@ -161,6 +176,11 @@ PatientKeeper::Ways FakeWard::ways() {
         if (disk_full) throw InputError("the disk is full", folder.string(), "");
         const std::lock_guard lock(mutex_);
         disk_[folder] = patient;
+    };
+    ways.digest = [this](const std::filesystem::path& place) -> std::string {
+        const std::lock_guard lock(mutex_);
+        const auto found = disk_.find(place);
+        return found == disk_.end() ? "" : "of " + edits_to_json(found->second.corrections.edits);
     };
     ways.correct = [this](const PatientCase& patient, const std::vector<TreeEdit>& edits,
                           Job& job) {

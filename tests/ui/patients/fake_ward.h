@@ -43,6 +43,9 @@ class FakeWard {
     std::vector<int> on_disk(const std::string& name) const;
     std::vector<TreeEdit> edits_on_disk(const std::string& name) const;
     bool disk_holds(const std::string& name) const;
+    // As another program would.
+    void save_by_another(const std::string& name, const std::vector<TreeEdit>& edits);
+    void remove_by_another(const std::string& name);
     static std::filesystem::path path_of(const std::string& name);
 
     // Jobs of this kind wait while it is set, but hear a cancel.
@@ -61,6 +64,8 @@ class FakeWard {
     // What a person answers, and was asked and shown.
     UnsavedAnswer answer = UnsavedAnswer::cancel;
     StrokesAnswer strokes_answer = StrokesAnswer::cancel;
+    ChangedAnswer changed_answer = ChangedAnswer::cancel;
+    std::vector<std::string> changed_asked;  // of which cases
     std::vector<std::size_t> strokes_asked;  // how many waited, each time
     // Whoever shows the voxels, asked to make vessels of them.
     std::function<void()> remake_painted = [] {};
