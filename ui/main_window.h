@@ -17,6 +17,7 @@
 
 #include "core/lesson/lesson.h"
 #include "ui/actions.h"
+#include "ui/case_lock.h"
 #include "ui/chosen_branch.h"
 #include "ui/focus_of_view.h"
 #include "ui/kept_play.h"
@@ -212,6 +213,8 @@ class MainWindow : public QMainWindow {
     void offer_patient_from_before();
     // These lessons no longer fit the corrected vessels.
     void tell_packed_lessons();
+    // That another program has the case open, too.
+    void tell_other_user();
     void tell_unfit(const std::vector<ShelvedLesson>& lessons);
     // Disables what the lesson being played, or a review, does not allow.
     void allow_tools();
@@ -417,6 +420,7 @@ class MainWindow : public QMainWindow {
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<Recovery> recovery_;
+    CaseLock case_lock_;
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
     std::unique_ptr<LiverKeeper> liver_;

@@ -312,6 +312,22 @@ void MainWindow::save_picture(const QString& file) {
     statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
 }
 
+void MainWindow::tell_other_user() {
+    const std::optional<QString> computer = case_lock_.follow(workspace().folder());
+    if (!computer) return;
+    const QString title = translated(workspace().title());
+    const QString text =
+        Words::tr(
+            "%1 is open in another program, too (on the computer %2). Who saves last is "
+            "asked before the other's work is replaced.")
+            .arg(title, *computer);
+    log_->add_warning(title, text);
+    if (messages_->text().isEmpty()) return messages_->show_notice(text);
+    const bool warnings_stand = messages_->text() == warnings_text_;
+    messages_->put_before(text);
+    if (warnings_stand) warnings_text_ = messages_->text();
+}
+
 // Work that is not saved in the case of this folder.
 bool MainWindow::shows_more_than(const std::filesystem::path& folder) const {
     return workspace().has_patient() && workspace().home() == folder && workspace().unsaved();
@@ -440,6 +456,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
+    case_lock_.follow({});
     if (begins_anew_) begin_anew_(patient_from_where());
     lessons_->give_up();
     end_recording();

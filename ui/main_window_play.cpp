@@ -216,6 +216,7 @@ void MainWindow::show_workspace() {
     setWindowModified(workspace.unsaved());
     show_caption(translated(workspace.title()));
     recovery_->follow(workspace);
+    tell_other_user();
     if (lesson_editor_ && workspace.folder() != told_folder_) lesson_editor_->patient_shown();
     told_folder_ = workspace.folder();
     editing_->update_panel();

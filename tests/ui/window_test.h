@@ -93,6 +93,10 @@ class WindowTest : public ::testing::Test {
             strokes_asked_ = strokes;
             return strokes_answer_;
         };
+        answers.changed_on_disk = [this](const std::filesystem::path&) {
+            ++changed_asked_;
+            return changed_answer_;
+        };
         answers.copy_of_unsaved = [this](const std::string&) { return copy_answer_; };
         answers.which_series = [](const std::vector<SeriesDescription>&) { return 1; };
         answers.where_to_save = [this](const std::filesystem::path& proposed) {
@@ -115,6 +119,8 @@ class WindowTest : public ::testing::Test {
     UnsavedAnswer unsaved_answer_ = UnsavedAnswer::discard;
     std::size_t strokes_asked_ = 0;  // how many waited when it was asked last
     StrokesAnswer strokes_answer_ = StrokesAnswer::drop;
+    int changed_asked_ = 0;
+    ChangedAnswer changed_answer_ = ChangedAnswer::cancel;
     CopyAnswer copy_answer_ = CopyAnswer::cancel;
     int lesson_ends_asked_ = 0;
     std::function<void()> while_asked_ = [] {};  // whether a lesson may end
