@@ -12,6 +12,7 @@
 #include "core/base/file_extension.h"
 #include "core/base/linked_place.h"
 #include "core/base/special_file.h"
+#include "core/patient/case_digest.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -122,6 +123,18 @@ void require_replaceable_case(const fs::path& place) {
                 place.string(), edits);
     } catch (const Error&) {  // nothing of it can be used
     }
+}
+
+void require_same_patient_at(const fs::path& place, const PatientCase& patient, bool may_replace) {
+    if (may_replace || !is_replaceable_case(place) || is_case_of(place, patient)) return;
+    throw InputError("holds a case already that is not known to be of this patient", place.string(),
+                     "Give --out another name, or --replace if that one is to go");
+}
+
+void require_as_read(const fs::path& place, const std::string& digest) {
+    if (digest_of_case(place) == digest) return;
+    throw InputError("was changed by another program since it was read; nothing is written",
+                     place.string(), "Do it again, or give --out another name");
 }
 
 void require_png_name(const fs::path& file) {

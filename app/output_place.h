@@ -8,6 +8,8 @@
 
 namespace hepatica {
 
+struct PatientCase;
+
 // Throws InputError where `place`, which need not exist yet, could not be created: because a file
 // is in the way, or the nearest existing folder above it is not writable. One missing folder above
 // it is accepted, and logged, because it is made with it (out/ in out/p1.hep); where more are
@@ -45,6 +47,19 @@ void require_case_place(const std::filesystem::path& place);
 // Throws InputError where a case cannot take the place of what is there, and warns of the
 // corrections that an older case holds: they end with it. To be called before the long work.
 void require_replaceable_case(const std::filesystem::path& place);
+
+// What an option --replace of a verb that makes a case does.
+inline constexpr const char* replace_help =
+    "Replace the case in its place also where it is of another patient";
+
+// Throws InputError where `place` holds the case of another patient, or one that does not tell or
+// cannot be read, unless it may be replaced.
+void require_same_patient_at(const std::filesystem::path& place, const PatientCase& patient,
+                             bool may_replace);
+
+// Throws InputError where the case at `place` is not the one any more that was read there, by its
+// digest_of_case() of before the reading: another program has saved in between.
+void require_as_read(const std::filesystem::path& place, const std::string& digest);
 
 // Throws UsageError where `file` does not end in .png, in any case.
 void require_png_name(const std::filesystem::path& file);

@@ -14,6 +14,7 @@ namespace {
 struct CopyChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
+    bool replace = false;
 };
 
 Json run_copy(const CopyChoices& options, Job& job) {
@@ -21,6 +22,7 @@ Json run_copy(const CopyChoices& options, Job& job) {
     job.expect_stages(2);
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);
+    require_same_patient_at(options.out, patient, options.replace);
     job.begin_stage("Writing the case");
     write_case_in_job(options.out, patient, job);
     return {{"case", options.out.string()}};
@@ -37,6 +39,7 @@ void add_copy(CommandLine& line) {
     verb.add_option("--out", options->out,
                     "Case to make: NAME.hep, a folder, or NAME.hepz, one file")
         ->required();
+    verb.add_flag("--replace", options->replace, replace_help);
 }
 
 }  // namespace hepatica

@@ -19,6 +19,7 @@
 #include "core/base/text_file.h"
 #include "core/mesh/manifold_attempts.h"
 #include "core/opening/patient_image.h"
+#include "core/patient/case_digest.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 #include "core/tree/editing/doubtful_link.h"
@@ -45,6 +46,7 @@ struct EditChoices {
     int tumour = 0;  // tumour of these strokes; 0: a new one to paint, any to erase
     int undo = 0;
     bool list = false;
+    bool replace = false;
 
     bool decides_bridges() const {
         return refuse_below >= 0.0 || !accepted.empty() || !refused.empty() || !offered.empty();
@@ -289,11 +291,14 @@ Json run_edit(const EditChoices& options, Job& job) {
                          "Give a correction, --out for a copy, or --list; all are in edit --help");
     job.expect_stages(options.list ? 1 : options.places.empty() ? 4 : 5);
     job.begin_stage("Reading the case");
+    const std::string digest = digest_of_case(options.patient);
     PatientCase patient = read_case(options.patient);
+    if (!options.out.empty()) require_same_patient_at(options.out, patient, options.replace);
     const std::size_t before = patient.corrections.edits.size();
     if (!options.list) {
         patient = corrected(options, std::move(patient), job);
         job.begin_stage("Writing the case");
+        if (options.out.empty()) require_as_read(options.patient, digest);
         write_case_in_job(options.out.empty() ? options.patient : options.out, patient, job);
     }
     Json answer;
@@ -355,6 +360,7 @@ void add_edit(CommandLine& line) {
         ->delimiter(',');
     verb.add_option("--out", options->out,
                     "Write another case, NAME.hep or NAME.hepz, instead of changing this one");
+    verb.add_flag("--replace", options->replace, replace_help)->needs("--out");
     verb.add_flag("--list", options->list, "Change nothing: print edits, tumours and bridges");
 }
 

@@ -16,6 +16,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/patient/doubts_json.h"
+#include "core/patient/image_digest.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/reconstruct.h"
 
@@ -38,6 +39,7 @@ struct ReconstructChoices {
     std::string offers = "shipped";
     std::string thinning = "queue";
     bool as_published = false;
+    bool replace = false;
     BatchOptions batch;
 };
 
@@ -147,6 +149,14 @@ Json run_many(const ReconstructChoices& options, Job& job) {
     return run_batch(batch, job);
 }
 
+// As soon as the CT is read, before the long work.
+void require_same_ct_at(const ReconstructChoices& options, const Volume& ct) {
+    if (options.replace || !is_replaceable_case(options.out)) return;
+    PatientCase patient;
+    patient.source.image_sha256 = digest_of(ct);
+    require_same_patient_at(options.out, patient, options.replace);
+}
+
 Json run_reconstruct(ReconstructChoices options, Job& job) {
     parse(options);
     if (!options.batch.folder.empty()) return run_many(options, job);
@@ -155,7 +165,9 @@ Json run_reconstruct(ReconstructChoices options, Job& job) {
     require_case_place(options.out);
     require_replaceable_case(options.out);
     job.expect_stages(stage_count(options.reconstruct) + 1);
-    const Reconstruction made = reconstruct(options.reconstruct, job);
+    const Reconstruction made = reconstruct(
+        options.reconstruct, job,
+        [&](const std::shared_ptr<const Volume>& ct) { require_same_ct_at(options, *ct); });
     job.begin_stage("Writing the case");
     write_case_in_job(options.out, made.patient, job);
     for (const std::string& warning : made.warnings) spdlog::warn("{}", warning);
@@ -287,6 +299,7 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--out", options->out,
                     "Case to make: NAME.hep, a folder, or NAME.hepz, one file")
         ->required();
+    verb.add_flag("--replace", options->replace, replace_help);
     verb.add_option("--name", options->reconstruct.name,
                     "What pictures and reports call the patient; nothing else names them");
     add_methods(verb, *options);
@@ -297,7 +310,8 @@ void add_reconstruct(CommandLine& line) {
          {"--tumour-mask", "--liver-label", "--vessel-label", "--window", "--seed-mm"})
         verb.get_option(of_several)->allow_extra_args(false);
     CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
-    for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
+    for (const char* of_one :
+         {"--replace", "--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
         batch->excludes(verb.get_option(of_one));
 }
 

@@ -16,6 +16,7 @@
 #include "core/image/brush.h"
 #include "core/image/volume_reader.h"
 #include "core/opening/patient_image.h"
+#include "core/patient/case_digest.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 #include "core/reconstruction/given_vessels.h"
@@ -35,6 +36,7 @@ struct RemakeChoices {
     fs::path out;
     std::vector<std::string> painted, erased;  // X,Y,Z,RADIUS
     ThresholdChoice threshold;
+    bool replace = false;
 };
 
 // Strokes in the order of their effect: what is painted, then what is erased.
@@ -118,7 +120,9 @@ Json run_remake(const RemakeChoices& options, Job& job) {
         dabs(options);  // parsed first, so that errors precede the long work
     job.expect_stages(remade_stages + 3 + (searches(options) ? preview_stages : 0));
     job.begin_stage("Reading the case");
+    const std::string digest = digest_of_case(options.patient);
     const PatientCase patient = read_case(options.patient);
+    if (!options.out.empty()) require_same_patient_at(options.out, patient, options.replace);
     const Volume ct = image_of(patient, options.ct, job);
     std::vector<std::string> warnings;
     Mask vessels = wanted_vessels(options, patient, ct.grid, warnings, job);
@@ -131,6 +135,7 @@ Json run_remake(const RemakeChoices& options, Job& job) {
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
     job.begin_stage("Writing the case");
+    if (options.out.empty()) require_as_read(options.patient, digest);
     write_case_in_job(out, made.patient, job);
     Json answer;
     answer["case"] = out.string();
@@ -171,6 +176,7 @@ void add_remake(CommandLine& line) {
                     "CT of the case: a folder or a file; the built-in patient needs none");
     verb.add_option("--out", options->out,
                     "Write another case, NAME.hep or NAME.hepz, instead of changing this one");
+    verb.add_flag("--replace", options->replace, replace_help)->needs("--out");
 }
 
 }  // namespace hepatica

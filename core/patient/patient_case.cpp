@@ -273,18 +273,6 @@ void flush_files(const fs::path& folder, const fs::path& place) {
         flush_to_disk(file.path(), place);
 }
 
-// Whether the older case is of the same CT, or where there is none, of the same vessels; false
-// where this program cannot read its header.
-bool is_of_same_patient(const fs::path& folder, const PatientCase& patient) {
-    try {
-        const std::string& image = patient.source.image_sha256;
-        if (read_case_header(folder).source.image_sha256 != image) return false;
-        return !image.empty() || hash_of_extracted(read_case(folder)) == hash_of_extracted(patient);
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 // Takes over what an archive holds besides the files of the case, as many as an archive may hold.
 void keep_foreign_files(const fs::path& archive, const PatientCase& patient,
                         const fs::path& folder) {
@@ -295,7 +283,7 @@ void keep_foreign_files(const fs::path& archive, const PatientCase& patient,
     } catch (const InputError&) {
         return;  // nothing can be read of what is replaced
     }
-    if (!is_of_same_patient(before.path(), patient)) return;
+    if (!is_case_of(before.path(), patient)) return;
     std::vector<fs::path> foreign;
     for (const fs::directory_entry& entry : fs::directory_iterator(before.path()))
         if (!is_of_a_case(entry.path().filename())) foreign.push_back(entry.path());
@@ -317,6 +305,19 @@ bool is_of_a_case(const fs::path& file) {
 
 bool is_replaceable_case(const fs::path& place) {
     return is_case_archive(place) ? archive_holds(place, case_file::header) : is_case(place);
+}
+
+bool is_case_of(const fs::path& place, const PatientCase& patient) {
+    try {
+        return in_folder(place, [&](const fs::path& folder) {
+            const std::string& image = patient.source.image_sha256;
+            if (read_case_header(folder).source.image_sha256 != image) return false;
+            if (!image.empty()) return true;
+            return hash_of_extracted(read_case(folder)) == hash_of_extracted(patient);
+        });
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 void require_place_of_case(const fs::path& place) {

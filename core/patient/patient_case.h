@@ -108,6 +108,10 @@ bool is_replaceable_case(const std::filesystem::path& place);
 // Whether a path relative to a case's folder is that of a file of a case.
 bool is_of_a_case(const std::filesystem::path& file);
 
+// Whether a case at this place is of the same patient: of the same CT or, where none is known, of
+// the same vessels before any correction. False where this program cannot read it.
+bool is_case_of(const std::filesystem::path& place, const PatientCase& patient);
+
 // Throws InputError where write_case() would refuse the place for what is there: a file, or a
 // folder that holds no case, even an empty one. To be called before long work.
 void require_place_of_case(const std::filesystem::path& place);

@@ -9,6 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/output_place.h"
+#include "core/base/error.h"
+#include "core/patient/case_digest.h"
+#include "core/patient/patient_case.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
@@ -207,6 +211,48 @@ TEST_F(OutputPlace, AnEmptyFolderIsRefusedBeforeTheWork) {
         EXPECT_EQ(run.errors.find("Reading the case"), std::string::npos) << run.errors;
         EXPECT_TRUE(fs::is_empty(path(name)));
     }
+}
+
+// Nobody's case goes by a name that was mistyped.
+TEST_F(OutputPlace, ACaseOfAnotherPatientIsReplacedOnlyWhereThatIsSaid) {
+    PatientCase other = read_case(path("p.hep"));
+    other.source.image_sha256 = std::string(64, 'b');
+    for (const char* name : {"other.hep", "other.hepz"}) {
+        write_case(path(name), other);
+        const std::string digest = digest_of_case(path(name));
+        for (std::vector<std::string> call :
+             {std::vector<std::string>{"copy", path("p.hep")},
+              {"edit", path("p.hep")},
+              {"remake", path("p.hep"), "--ct", path("p/ct"), "--paint", "0,0,0,2"},
+              {"reconstruct", path("p/ct"), "--vessel-mask", path("p/truth_mask.nii.gz")}}) {
+            call.insert(call.end(), {"--out", path(name)});
+            const Outcome run = run_cli(call);
+            EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+            EXPECT_NE(run.errors.find(path(name) + ": holds a case already that is not known"),
+                      std::string::npos)
+                << call[0] << ": " << run.errors;
+            EXPECT_EQ(digest_of_case(path(name)), digest) << call[0];
+        }
+        const std::vector<std::string> copy{"copy", path("p.hep"), "--out", path(name)};
+        std::vector<std::string> replacing = copy;
+        replacing.emplace_back("--replace");
+        EXPECT_EQ(run_cli(replacing).exit_code, 0) << name;
+        EXPECT_TRUE(is_case_of(path(name), read_case(path("p.hep")))) << name;
+        EXPECT_EQ(run_cli(copy).exit_code, 0) << name << ": it is of the same patient by now";
+    }
+}
+
+// What another program saved while a verb was at work stays.
+TEST_F(OutputPlace, ACaseIsChangedInPlaceOnlyAsItWasRead) {
+    write_case(path("shared.hep"), read_case(path("p.hep")));
+    const std::string digest = digest_of_case(path("shared.hep"));
+    EXPECT_NO_THROW(require_as_read(path("shared.hep"), digest));
+    PatientCase changed = read_case(path("p.hep"));
+    changed.measured.push_back({.points_mm = {Vec3(1, 2, 3), Vec3(4, 5, 6)}});
+    write_case(path("shared.hep"), changed);
+    EXPECT_THROW(require_as_read(path("shared.hep"), digest), InputError);
+    fs::remove_all(path("shared.hep"));
+    EXPECT_THROW(require_as_read(path("shared.hep"), digest), InputError) << "it was moved away";
 }
 
 // A folder of one's own work is not replaced by a case.
