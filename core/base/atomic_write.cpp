@@ -11,12 +11,12 @@
 #include <deque>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/leftovers.h"
 #include "core/base/linked_place.h"
 #include "core/base/special_file.h"
 #include "core/base/temporary_folder.h"
@@ -27,21 +27,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A unique name for every call, so that two writers of one target never share a temporary. It ends
-// like the target's name, because many writers choose their format by the extension.
-std::string name_beside(const fs::path& target) {
-    constexpr std::size_t longest_tail = 100;
-    std::random_device random;
-    const std::string name = target.filename().string();
-    return ".hepatica-" + std::to_string(random()) + std::to_string(random()) + "-" +
-           name.substr(name.size() - std::min(name.size(), longest_tail));
-}
-
 // The path of a temporary file or folder; removed at the end unless it is kept.
 class Temporary {
   public:
     explicit Temporary(const fs::path& target)
-        : path_(fs::absolute(target).parent_path() / name_beside(target)) {}
+        : path_(fs::absolute(target).parent_path() / temporary_name(target)) {}
     ~Temporary() {
         std::error_code ignored;
         if (!kept_) fs::remove_all(path_, ignored);
@@ -109,6 +99,10 @@ void take_permissions(const fs::path& old, const fs::path& fresh) {
     if (fs::is_regular_file(was) || open_folder) fs::permissions(fresh, was.permissions(), ignored);
 }
 
+bool any_file(const fs::path&) {
+    return true;
+}
+
 void make_parent(const fs::path& target) {
     std::error_code error;
     fs::create_directories(fs::absolute(target).parent_path(), error);
@@ -128,6 +122,7 @@ void write_file_atomically(const fs::path& target,
     std::error_code error;
     fs::rename(temporary.path(), file, error);
     if (error) throw_unwritable(target, error);
+    sweep_leftovers(file, any_file);
 }
 
 void write_text_atomically(const fs::path& file, std::string_view text) {
@@ -181,6 +176,7 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
     else
         fs::rename(temporary.path(), folder, error);
     if (error) throw_unwritable(target, error);
+    sweep_leftovers(folder, is_own);
     if (!replaces) return;
     temporary.keep(true);  // from here on no foreign file may be removed, whatever fails
     if (const auto left = move_foreign(temporary.path(), folder, is_own))
@@ -193,7 +189,7 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
 
 void write_folder_atomically(const fs::path& target,
                              const std::function<void(const fs::path&)>& write) {
-    replace_folder(target, write, [](const fs::path&) { return true; });
+    replace_folder(target, write, any_file);
 }
 
 void renew_folder_atomically(const fs::path& target,
@@ -310,6 +306,7 @@ void write_files_atomically(const fs::path& folder,
     // Last, because they cannot be undone.
     std::stable_partition(moves.begin(), moves.end(), [](const Move& m) { return !m.special; });
     make_all(moves);
+    sweep_leftovers(folder / "files", any_file);
     made.keep();
 }
 

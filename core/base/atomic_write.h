@@ -3,6 +3,7 @@
 // temporary name, then renamed. On any exception the temporary is removed and the previous content
 // stays. Links are followed: their target is replaced, or made where nothing is yet. What an
 // InputError of a writer names below the temporary is named as what it would have become.
+// What a writer that was killed has left is removed by the next one (core/base/leftovers.h).
 // Thread-safe, also between programs and for the same target: the last writer wins with its
 // complete content.
 #pragma once
