@@ -195,6 +195,8 @@ class MainWindow : public QMainWindow {
     void build_lessons();
     // Whether nothing forbids to begin a lesson; if not, tells why.
     bool may_begin_lesson();
+    // Tries whether its recording can be written; says why not.
+    bool may_record_lesson();
     // Begins a lesson's play with it; null: returns to free play.
     void use_for_lesson(std::unique_ptr<Simulation> simulation);
     void stop_after_lesson();

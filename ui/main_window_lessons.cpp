@@ -131,7 +131,7 @@ bool MainWindow::may_begin_lesson() {
     if (!may)
         messages_->show_notice(
             Words::tr("No lesson begins while the vessels are corrected: wait for that"));
-    return may;
+    return may && may_record_lesson();
 }
 
 void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
@@ -218,6 +218,8 @@ std::optional<OpenRequest> MainWindow::patient_from_where() const {
 }
 
 void MainWindow::open_for_lesson(const OpenRequest& request) {
+    // Nobody is asked about unsaved work for the sake of a lesson that cannot begin.
+    if (!may_record_lesson()) return lessons_->patient_not_shown();
     std::optional<OpenRequest> before = before_lesson_;
     if (patient_ && !lessons_->playing()) before = patient_from_where();
     // Who is on his way already is not begun anew.

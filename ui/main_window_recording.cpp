@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the window for File > Record play: a free play is recorded from the first request to
-// the second, or until another patient or play is shown.
+// The part of the window for recordings: whether that of a lesson can be written, and File > Record
+// play: a free play is recorded from the first request to the second, or until another patient or
+// play is shown.
 #include <QStatusBar>
 
+#include "core/base/room_on_disk.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -17,6 +19,17 @@ void MainWindow::connect_recording() {
     recorder_ = std::make_unique<PlayRecorder>();
     actions_->on(ActionId::record_play,
                  [this] { recorder_->recording() ? end_recording() : begin_recording(); });
+}
+
+bool MainWindow::may_record_lesson() {
+    constexpr std::size_t bytes_of_beginning = 1 << 20;
+    try {
+        require_room(to_path(settings_.recordings_folder()), bytes_of_beginning);
+        return true;
+    } catch (...) {
+        fail(Words::tr("Begin the lesson"), failure_of(std::current_exception()));
+        return false;
+    }
 }
 
 void MainWindow::begin_recording() {

@@ -21,6 +21,7 @@ constexpr std::array sentences_common{
     Words::id("internal error: %1"),
     Words::id("%1, %2, %3 mm"),
     Words::id("cannot be written (%1)"),
+    Words::id("cannot be written: the disk is full"),
     Words::id("cannot be written"),
     Words::id("cannot be written to its end"),
     Words::id("Check that the folder exists, may be written and has free space"),

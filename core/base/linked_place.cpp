@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/linked_place.h"
 
+#include <cerrno>
+
 #include "core/base/error.h"
 
 namespace hepatica {
@@ -8,6 +10,9 @@ namespace hepatica {
 namespace fs = std::filesystem;
 
 void throw_unwritable(const fs::path& target, const std::error_code& reason) {
+    if (reason.value() == ENOSPC || reason.value() == EDQUOT)
+        throw InputError("cannot be written: the disk is full", target.string(),
+                         "Free some space there, or choose another folder");
     throw InputError("cannot be written (" + reason.message() + ")", target.string(),
                      "Check that the folder exists, may be written and has free space");
 }

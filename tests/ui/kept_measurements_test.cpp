@@ -10,6 +10,7 @@
 #include "core/patient/patient_case.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
+#include "ui/lesson_dock.h"
 #include "ui/library_dialog.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
@@ -248,6 +249,26 @@ TEST_F(KeptMeasurements, InAFileThatIsDamagedAreRefusedWithFileValueAndRemedy) {
     EXPECT_TRUE(said.contains("measurements.json")) << said.toStdString();
     EXPECT_TRUE(said.contains("1000000000")) << said.toStdString();
     EXPECT_TRUE(said.contains("remove the file")) << said.toStdString();
+}
+
+// They would be thrown away for nothing.
+TEST_F(KeptMeasurements, are_not_asked_about_for_a_lesson_that_cannot_be_recorded) {
+    measure_distance();
+    ASSERT_TRUE(window_.isWindowModified());
+    const std::filesystem::path recordings = to_path(folder_.filePath("recordings"));
+    std::filesystem::remove_all(recordings);
+    std::ofstream(recordings) << "a file in the folder's place";
+    EXPECT_TRUE(window_.lessons().start("gentle_pull"));
+    EXPECT_FALSE(window_.busy());
+    EXPECT_EQ(questions_asked_, 0);
+    EXPECT_TRUE(window_.isWindowModified());
+    EXPECT_EQ(made().size(), 1u);
+    EXPECT_TRUE(window_.messages().text().startsWith("Cannot be written"))
+        << window_.messages().text().toStdString();
+    std::filesystem::remove(recordings);
+    EXPECT_TRUE(window_.lessons().start("gentle_pull"));
+    wait();
+    EXPECT_EQ(questions_asked_, 1) << "the lesson is played on the built-in patient";
 }
 
 }  // namespace
