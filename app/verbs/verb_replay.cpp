@@ -37,8 +37,9 @@ Json run_replay(const ReplayChoices& options, Job& job) {
     constexpr int building_and_replaying = 2;
     auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.file, options.patient, nullptr, building_and_replaying, job));
-    const ReplayResult result = replay(recording, patient, job, options.from_step,
-                                       choose_back_end(recording.back_end).back_end);
+    const ReplayResult result = replay(
+        recording, patient, job, options.from_step, choose_back_end(recording.back_end).back_end,
+        {}, options.verify ? AfterDivergence::stop : AfterDivergence::go_on);
     if (options.verify && result.diverged_at)
         throw InputError(
             "diverged from the recording at step " + std::to_string(*result.diverged_at),

@@ -22,6 +22,12 @@ void require_in_patient_space(const Vec3& position_mm, const std::string& what,
                      "Check the unit of its positions and export it again in millimetres");
 }
 
+void require_reachable(const Vec3& position_mm, const std::string& what) {
+    if (is_in_patient_space(position_mm)) return;
+    throw InputError("is not within 10 m of the origin", what,
+                     "Give numbers from -10000 to 10000 mm");
+}
+
 std::string place_text(const Vec3& position_mm) {
     std::ostringstream text;
     text.imbue(std::locale::classic());

@@ -22,6 +22,10 @@ inline bool is_in_patient_space(const Vec3& position_mm) {
 void require_in_patient_space(const Vec3& position_mm, const std::string& what,
                               const std::string& place);
 
+// Throws InputError about `what` ("the point to hold") unless it is in patient space: what reaches
+// a body from outside must lie where a body can be.
+void require_reachable(const Vec3& position_mm, const std::string& what);
+
 // "X, Y, Z mm" to a tenth of a millimetre, for messages.
 std::string place_text(const Vec3& position_mm);
 

@@ -72,7 +72,8 @@ Score score(const Recording& recording, const Lesson& lesson,
             run.see(commands, frame, stop);
             if (see) see(frame, run.standing());
             return true;
-        });
+        },
+        AfterDivergence::stop);
     if (result.diverged_at)
         throw InputError("diverged from the recording at step " +
                              std::to_string(*result.diverged_at) + ", so that it cannot be scored",

@@ -23,7 +23,8 @@ struct Score {
 using SeeScored = std::function<void(const Frame&, const LessonStanding&)>;
 
 // Throws InputError where the recording belongs to another patient, scene or back end, or does not
-// replay to the same bits, so that it proves nothing; Cancelled. Begins two stages of the job.
+// replay to the same bits, so that it proves nothing, at the first step that differs; Cancelled.
+// Begins two stages of the job.
 Score score(const Recording& recording, const Lesson& lesson,
             std::shared_ptr<const PatientCase> patient, Job& job,
             const DeformBackEnd& back_end = cpu_back_end(), const SeeScored& see = {});

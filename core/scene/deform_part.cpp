@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/number_text.h"
+#include "core/base/patient_space.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
 #include "core/scene/tool_at_body.h"
@@ -128,8 +129,7 @@ StepReport DeformPart::step(double dt_s, const std::stop_token& stop,
 }
 
 void DeformPart::grab(const Vec3& point_mm) {
-    if (!point_mm.allFinite())
-        throw InputError("the point to hold is not finite", "grab", "Give finite numbers");
+    require_reachable(point_mm, "the point to hold");
     close_hand(vertices_->nearest(point_mm, positions_mm()), point_mm);
 }
 
@@ -153,8 +153,7 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
 }
 
 void DeformPart::move_grab(const Vec3& target_mm) {
-    if (!target_mm.allFinite())
-        throw InputError("the hand's position is not finite", "move_grab", "Give finite numbers");
+    require_reachable(target_mm, "the hand's position");
     if (!hold_) return;
     Hold hold = *hold_;
     hold.target_mm = target_mm;
@@ -185,6 +184,11 @@ void DeformPart::lead_jaws(bool open, double share) {
         throw InputError("has no jaws", "the tool", "Take the forceps to open and close them");
     const double goal = open ? widest : 0.0;
     stepper_->open_tool(share == 1.0 ? goal : led + share * (goal - led));
+}
+
+void DeformPart::lead_tool(const Vec3& target_mm) {
+    require_reachable(target_mm, "the place of the tool");
+    stepper_->lead_tool(target_mm);
 }
 
 std::optional<ToolView> DeformPart::tool_view() const {

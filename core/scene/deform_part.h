@@ -79,8 +79,9 @@ class DeformPart {
     // tip is at the point. Replaces the present tool. Throws InputError where the scene has no
     // tools, for values out of range, and where there is no room.
     void add_tool(const ToolChoice& choice, const Vec3& towards_mm);
-    // Sets the target of the tool's centre for the next steps. Does nothing without a tool.
-    void lead_tool(const Vec3& target_mm) { stepper_->lead_tool(target_mm); }
+    // Sets the target of the tool's centre for the next steps. Does nothing without a tool. Throws
+    // InputError where it is not in patient space.
+    void lead_tool(const Vec3& target_mm);
     // Adds a rotation about the tool's centre to the remaining one.
     void turn_tool(const Vec3& by_rad) { stepper_->turn_tool(by_rad); }
     // Moves the target opening of the jaws by this share of the way to 0 or to the widest opening.
@@ -118,7 +119,7 @@ class DeformPart {
     // the places are not connected, or a value is out of range.
     void cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm, double strength);
     // Moves a blade through the vessel nearest to its way, see blade_sweep. Throws InputError where
-    // the body does not tear or the way is not finite.
+    // the body does not tear or the way is not in patient space.
     void cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm);
     // Makes the body whole and removes cut lines.
     void mend();
@@ -185,7 +186,7 @@ class DeformPart {
     std::shared_ptr<const std::vector<float>> vertex_loads() const;
     const std::vector<VertexPlace>& places_of_tetrahedra(const VesselTree& tree);
     void require_tear() const;
-    int vertex_near(const Vec3& point_mm) const;  // throws InputError where it is not finite
+    int vertex_near(const Vec3& point_mm) const;  // throws InputError beyond patient space
     // Lets what is kept per vertex follow the body's vertices.
     void follow_tear() { vertices_->follow(body_.mesh, torn()); }
     void give_state(Stepper& stepper, const BodyState& state) const;

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/base/patient_space.h"
 #include "core/deform/body/torn_body.h"
 #include "core/scene/cut_line.h"
 #include "core/scene/deform_part.h"
@@ -137,8 +138,7 @@ void DeformPart::require_tear() const {
 }
 
 int DeformPart::vertex_near(const Vec3& point_mm) const {
-    if (!point_mm.allFinite())
-        throw InputError("the point is not finite", "cut", "Give finite numbers");
+    require_reachable(point_mm, "the point");
     return vertices_->nearest(point_mm, positions_mm());
 }
 

@@ -45,18 +45,15 @@ class Fields {
             refuse("has a value of the wrong kind (" + found->dump() + ")", key);
         }
     }
-    void read_number(const char* key, double& value, double low, double high) {
+    void read_number(const char* key, double& value, const NumberRange& range) {
         read(key, value);
-        if (!(value >= low && value <= high))
-            refuse("is " + number_text(value) + "; it must lie from " + number_text(low) + " to " +
-                       number_text(high),
-                   key);
+        require_in(range, value, key);
     }
-    void read_vector(const char* key, Vec3& value) {
+    void read_vector(const char* key, Vec3& value, const NumberRange& range) {
         std::array<double, 3> numbers{value.x(), value.y(), value.z()};
         read(key, numbers);
+        for (const double number : numbers) require_in(range, number, key);
         value = Vec3(numbers[0], numbers[1], numbers[2]);
-        if (!value.allFinite()) refuse("is not finite", key);
     }
     void refuse_unknown() const {
         for (const auto& [key, value] : json_.items())
@@ -68,6 +65,10 @@ class Fields {
     }
 
   private:
+    void require_in(const NumberRange& range, double value, const char* key) const {
+        if (!range.holds(value)) refuse(outside(value, range), key);
+    }
+
     const Json& json_;
     std::string where_;
     std::vector<std::string> known_;
@@ -92,11 +93,11 @@ DeformSpec deform_from(const Json& json) {
     if (ends == names_of_ends.end())
         fields.refuse("is \"" + fixed + "\"; it must be none, roots or all", "fixed");
     spec.fixed = ends->second;
-    fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2);
-    fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, 0.0, 1e9);
+    fields.read_vector("gravity_mm_per_s2", spec.gravity_mm_per_s2, gravity_range_mm_per_s2);
+    fields.read_number("tether_pa_per_mm2", spec.tether_pa_per_mm2, tether_range_pa_per_mm2);
     fields.read("wall_mm", spec.wall_mm);
     validate_wall(spec.wall_mm);
-    fields.read_number("quality", spec.quality, 0.0, 1.0);
+    fields.read_number("quality", spec.quality, {0.0, 1.0});
     Json setting;
     fields.read("setting", setting);
     if (!setting.is_null()) spec.setting = setting_from_json(setting);
@@ -112,7 +113,7 @@ DeformSpec deform_from(const Json& json) {
 FlowSpec flow_from(const Json& json) {
     FlowSpec spec;
     Fields fields(json, "flow");
-    fields.read_number("drug_speed", spec.drug_speed, 1e-6, 1e6);
+    fields.read_number("drug_speed", spec.drug_speed, drug_speed_range);
     fields.refuse_unknown();
     return spec;
 }
@@ -134,7 +135,7 @@ ContactSpec contact_from(const Json& json) {
         fields.refuse("has a value of the wrong kind (" + obstacles.dump() + ")", "obstacles");
     else if (obstacles.get<bool>())
         spec.obstacles = WantedObstacles::required;
-    fields.read_number("friction", spec.friction, 0.0, greatest_friction);
+    fields.read_number("friction", spec.friction, {0.0, greatest_friction});
     if (spec.friction > 0.0 && !spec.self)
         fields.refuse("needs self: only vessels that touch each other rub", "friction");
     fields.refuse_unknown();
@@ -165,7 +166,7 @@ const char* name_of(TearStop stop) {
 TearSpec tear_from_json(const Json& json) {
     TearSpec spec;
     Fields fields(json, "tear");
-    fields.read_number("tear_factor", spec.tear_factor, least_tear_factor, greatest_tear_factor);
+    fields.read_number("tear_factor", spec.tear_factor, {least_tear_factor, greatest_tear_factor});
     std::string stop = name_of(spec.stop);
     fields.read("stop", stop);
     const auto found = std::ranges::find(
@@ -173,7 +174,7 @@ TearSpec tear_from_json(const Json& json) {
     if (found == names_of_stops.end())
         fields.refuse("is \"" + stop + "\"; it must be entropy, vertices or none", "stop");
     spec.stop = found->second;
-    fields.read_number("entropy_budget", spec.entropy_budget, 0.0, 1e6);
+    fields.read_number("entropy_budget", spec.entropy_budget, {0.0, 1e6});
     fields.read("vertex_budget", spec.vertex_budget);
     if (spec.vertex_budget < 0) fields.refuse("is less than 0", "vertex_budget");
     fields.read("bare_limit", spec.bare_limit);
@@ -237,7 +238,7 @@ SceneSpec scene_from_json(const Json& json) {
     SceneSpec spec;
     Fields fields(json, "scene");
     fields.read("name", spec.name);
-    fields.read_number("dt_s", spec.dt_s, 1e-4, 1.0);
+    fields.read_number("dt_s", spec.dt_s, {1e-4, 1.0});
     Json deform, flow, contact, tear;
     fields.read("deform", deform);
     fields.read("contact", contact);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/frame_time.h"
+#include "core/base/number_range.h"
 #include "core/base/vector.h"
 #include "core/deform/stepper/stepper_options.h"
 #include "core/tear/tear_law.h"
@@ -89,6 +90,12 @@ struct SceneSpec {
 constexpr double thinnest_wall_mm = 0.01;
 constexpr double thickest_wall_mm = 100.0;
 void validate_wall(double wall_mm);
+
+// What scenes and commands may ask for: gravity up to about a hundred times the Earth's in each
+// direction, the tissue's springs, and drug seconds per simulated second.
+inline constexpr NumberRange gravity_range_mm_per_s2{-1e6, 1e6};
+inline constexpr NumberRange tether_range_pa_per_mm2{0.0, 1e9};
+inline constexpr NumberRange drug_speed_range{1e-6, 1e6};
 
 // Body and flow with their defaults: the scene with which the window opens a case.
 SceneSpec default_scene();

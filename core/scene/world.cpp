@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/patient_space.h"
 #include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
@@ -257,8 +258,7 @@ void World::reset() {
 }
 
 TreePoint World::place_near(const Vec3& point_mm) const {
-    if (!point_mm.allFinite())
-        throw InputError("the point is not finite", "place on the tree", "Give finite numbers");
+    require_reachable(point_mm, "the point");
     // The vertices keep their places on the tree as they move.
     if (!flow_) return nearest_point(patient_->tree, point_mm);
     int nearest = 0;

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/json_number.h"
 #include "core/scene/setting_json.h"
+#include "core/session/command_ranges.h"
 
 namespace hepatica {
 
@@ -198,10 +199,12 @@ struct Reader {
         } catch (const Json::exception&) {
             refuse(name, "has a value of the wrong kind (" + found->dump() + ")");
         }
+        if constexpr (std::floating_point<T>) require_in_range(name, value);
     }
     void operator()(const char* name, Vec3& value) {
         std::array<double, 3> numbers{};
         (*this)(name, numbers);
+        for (const double number : numbers) require_in_range(name, number);
         value = Vec3(numbers[0], numbers[1], numbers[2]);
     }
     void operator()(const char* name, StepperOptions& value) {
@@ -212,6 +215,10 @@ struct Reader {
     template <class T>
     void operator()(const char* name, std::optional<T>& value) {
         if (json.contains(name)) (*this)(name, value.emplace());
+    }
+    void require_in_range(const char* name, double value) const {
+        const NumberRange range = range_of(name);
+        if (!range.holds(value)) refuse(name, outside(value, range));
     }
     [[noreturn]] void refuse(const char* name, const std::string& problem) const {
         throw InputError(problem, std::string("command ") + command + ", field " + name,

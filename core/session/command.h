@@ -178,7 +178,8 @@ using Command =
                  CloseForceps, OpenForceps, CutLine, Blade, UseTear, UseContact, ShiftGrab>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; numbers are exact to the last bit.
-// Reading throws InputError that names the command and the field that is missing or out of range.
+// Reading throws InputError that names the command and the field that is missing or out of range,
+// with the value and the range (core/session/command_ranges.h).
 nlohmann::ordered_json to_json(const Command& command);
 Command command_from_json(const nlohmann::ordered_json& json);
 

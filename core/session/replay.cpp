@@ -38,7 +38,7 @@ void restore_recorded(Session& session, Keyframe keyframe) {
 
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step, const DeformBackEnd& back_end,
-                    const Session::Watch& watch) {
+                    const Session::Watch& watch, AfterDivergence after) {
     require_back_end(recording, back_end);
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError(
@@ -81,6 +81,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
         ++result.steps;
         if (!result.diverged_at && result.state_hash != step.state_hash)
             result.diverged_at = result.steps;
+        if (result.diverged_at && after == AfterDivergence::stop) break;
         job.advance(static_cast<double>(result.steps - result.began_at) /
                     static_cast<double>(count - result.began_at));
     }

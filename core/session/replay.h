@@ -28,6 +28,10 @@ void require_back_end(const Recording& recording, const DeformBackEnd& back_end)
 // come from the recorded commands.
 void restore_recorded(Session& session, Keyframe keyframe);
 
+// What follows the first step whose hash is another one is another play: it serves who only looks,
+// and nobody who judges.
+enum class AfterDivergence { go_on, stop };
+
 // Starts at the last keyframe that is not after `from_step`, or at the recording's start. Throws
 // InputError if the patient or the back end is another one, if there is no such step, or if the
 // keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every replayed
@@ -35,6 +39,7 @@ void restore_recorded(Session& session, Keyframe keyframe);
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step = 0,
                     const DeformBackEnd& back_end = cpu_back_end(),
-                    const Session::Watch& watch = {});
+                    const Session::Watch& watch = {},
+                    AfterDivergence after = AfterDivergence::go_on);
 
 }  // namespace hepatica

@@ -15,6 +15,7 @@
 #include "core/base/text_file.h"
 #include "core/base/unknown_key.h"
 #include "core/base/written_json.h"
+#include "core/session/command_ranges.h"
 
 namespace hepatica {
 
@@ -57,7 +58,12 @@ Vec3 vector_of(const Json& json, const char* key) {
     if (found == json.end() || !found->is_array() || found->size() != 3 ||
         !std::ranges::all_of(*found, [](const Json& value) { return value.is_number(); }))
         refuse(std::string(key) + " must be three numbers");
-    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+    const Vec3 vector((*found)[0].get<double>(), (*found)[1].get<double>(),
+                      (*found)[2].get<double>());
+    const NumberRange range = range_of(key);
+    for (const double value : vector)
+        if (!range.holds(value)) refuse(std::string(key) + " " + outside(value, range));
+    return vector;
 }
 
 using Keys = std::vector<std::string>;

@@ -24,9 +24,10 @@ using Json = nlohmann::ordered_json;
 
 std::vector<Command> one_of_each() {
     const double odd = std::nextafter(0.1, 1.0);  // survives only if every bit does
-    return {GrabPoint{Vec3(odd, -1e-300, 1e300)},
+    return {GrabPoint{Vec3(odd, -1e-300, 1e4)},
             GrabVertex{42},
             MoveGrab{Vec3(1.0 / 3.0, 2, 3)},
+            MoveGrab{Vec3(1, 2, 3), odd},
             ShiftGrab{Vec3(1, odd, 3)},
             ReleaseGrab{},
             InjectDrug{Vec3(1, 2, 3), odd, 0.25, "lipiodol", "published", 1e-3},
@@ -81,6 +82,33 @@ TEST(Command, NamesWhatIsWrong) {
           R"({"command": "grab_point"})", R"({"command": "grab_point", "point_mm": [1, 2]})",
           R"({"command": "set_quality", "quality": "high"})"})
         EXPECT_THROW(command_from_json(Json::parse(text)), InputError) << text;
+}
+
+// Such a step may never end.
+TEST(Command, RefusesANumberBeyondWhatABodyCanBe) {
+    int refused = 0;
+    const auto expect_refused = [&](const Json& json, const std::string& field) {
+        try {
+            command_from_json(json);
+            ADD_FAILURE() << json.dump();
+        } catch (const InputError& error) {
+            ++refused;
+            const std::string words = error.what();
+            EXPECT_NE(words.find("field " + field), std::string::npos) << words;
+            EXPECT_NE(words.find("1e+308; it must lie from "), std::string::npos) << words;
+        }
+    };
+    for (const Command& command : one_of_each())
+        for (const double far : {1e308, -1e308})
+            for (const auto& [field, value] : to_json(command).items()) {
+                Json json = to_json(command);
+                if (value.is_number_float()) json[field] = far;
+                if (value.is_array()) json[field][1] = far;
+                if (value.is_number_float() || value.is_array()) expect_refused(json, field);
+            }
+    EXPECT_GT(refused, 60);
+    EXPECT_NO_THROW(command_from_json(to_json(GrabPoint{Vec3(1e4, -1e4, 0.0)})));
+    EXPECT_THROW(command_from_json(to_json(GrabPoint{Vec3(0.0, 0.0, 10001.0)})), InputError);
 }
 
 TEST(Recording, SurvivesTheDisk) {

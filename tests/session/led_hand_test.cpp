@@ -176,7 +176,7 @@ TEST(LedHand, RefusesATimeOrAPlaceThatIsNone) {
     session->post(MoveGrab{Vec3::Constant(std::numeric_limits<double>::infinity()), 0.1});
     session->step();
     session->update_frame();
-    EXPECT_THAT(session->frame().statistics.message, HasSubstr("not finite"));
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("not within 10 m"));
     play(*session, 2);
     EXPECT_EQ(hand_of(*session), begin);
 }

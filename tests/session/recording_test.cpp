@@ -29,6 +29,7 @@ using test::middle_of;
 using test::new_session;
 using test::play;
 using test::small_patient;
+using testing::AllOf;
 using testing::HasSubstr;
 
 // 1300 steps with all that a keyframe has to hold: another tether, wall, gravity and setting, a
@@ -163,6 +164,22 @@ TEST(Replay, EndsWithTheErrorOfItsWatch) {
         EXPECT_EQ(error.problem(), "cannot flow");
     }
     EXPECT_EQ(seen, 5);
+}
+
+// Who judges a play has nothing to judge from there on.
+TEST(Replay, StopsAtTheFirstStepThatDiffersWhereAskedTo) {
+    const auto session = new_session();
+    const auto recording = keep_recording(*session);
+    play(*session, 8);
+    recording->steps[2].state_hash ^= 1;
+    Job job;
+    const ReplayResult stopped =
+        replay(*recording, small_patient(), job, 0, cpu_back_end(), {}, AfterDivergence::stop);
+    EXPECT_EQ(stopped.diverged_at, 3u);
+    EXPECT_EQ(stopped.steps, 3u);
+    const ReplayResult whole = replay(*recording, small_patient(), job);
+    EXPECT_EQ(whole.diverged_at, 3u);
+    EXPECT_EQ(whole.steps, 8u);
 }
 
 // Of everything that a keyframe holds, whatever is changed is found: by the hash of its state or by
@@ -306,6 +323,21 @@ TEST(RecordingFile, ADamagedLineInTheMiddleIsRefusedByItsNumber) {
                            "\"grab_vertex\", \"vertex\": " +
                            deep + "}]}\n" + text.substr(third)),
                 HasSubstr("line 3"));
+}
+
+// A replay from there would never end.
+TEST(RecordingFile, ANumberThatNoBodyCanHaveIsRefusedByLineFieldAndRange) {
+    const std::string text = written(few_steps());
+    const std::string key = "\"point_mm\":[";
+    const std::size_t at = text.find(key) + key.size();
+    const std::string far = text.substr(0, at) + "1e308" + text.substr(text.find(',', at));
+    EXPECT_THAT(refusal_of(far),
+                AllOf(HasSubstr("line 2"), HasSubstr("command grab_point, field point_mm"),
+                      HasSubstr("is 1e+308; it must lie from -10000 to 10000")));
+    const std::string scene = "\"gravity_mm_per_s2\":[";
+    const std::size_t down = text.find(scene) + scene.size();
+    EXPECT_THAT(refusal_of(text.substr(0, down) + "1e308" + text.substr(text.find(',', down))),
+                AllOf(HasSubstr("line 1"), HasSubstr("is 1e+308; it must lie from")));
 }
 
 // Reading a process's memory from address 0 on fails: the file is not taken for an empty one, as

@@ -194,6 +194,19 @@ TEST_F(ScriptFile, NamesTheActionThatIsWrong) {
     EXPECT_THROW(read("{"), InputError);
 }
 
+TEST_F(ScriptFile, RefusesAPlaceWhereNoBodyCanBe) {
+    for (const char* action : {R"({"do": "grab", "where": {"point_mm": [0, 1e308, 0]}})",
+                               R"({"do": "move", "by_mm": [0, 0, -1e308]})",
+                               R"({"do": "move_tool", "to_mm": [1e5, 0, 0]})",
+                               R"({"do": "blade", "from_mm": [1, 2, 3], "to_mm": [1, 2, 1e5]})",
+                               R"({"do": "grab_point", "point_mm": [1e5, 0, 0]})",
+                               R"({"do": "set_gravity", "gravity_mm_per_s2": [0, 1e7, 0]})"}) {
+        const std::string said = refusal(action);
+        EXPECT_NE(said.find("action 2"), std::string::npos) << said;
+        EXPECT_NE(said.find("; it must lie from "), std::string::npos) << said;
+    }
+}
+
 // The steps up to such a time cannot be counted.
 TEST_F(ScriptFile, RefusesATimeThatIsNoneOfAPlay) {
     for (const char* time : {"-1", "86401", "1e300"})

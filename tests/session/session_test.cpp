@@ -205,6 +205,10 @@ TEST(Session, RefusesWhatIsOutOfRangeAndSaysSo) {
           Command(InjectDrug{.drug_viscosity_pa_s = 0.0}),
           Command(InjectDrug{.drug_viscosity_pa_s = -1.0}),
           Command(GrabPoint{Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)}),
+          Command(GrabPoint{Vec3(1e308, 0, 0)}),
+          Command(GrabPoint{Vec3(0, 0, -10001.0)}),
+          Command(MoveGrab{Vec3(0, 10001.0, 0)}),
+          Command(InjectDrug{Vec3(0, 10001.0, 0)}),
           Command(InjectDrug{Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)}),
           Command(MoveGrab{Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)}),
           Command(SetGravity{Vec3(std::numeric_limits<double>::infinity(), 0, 0)})}) {

@@ -343,7 +343,7 @@ TEST(ToolSession, WhatIsOutOfRangeIsNamed) {
     EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.direction.setZero(); })),
                 HasSubstr("direction"));
     EXPECT_THAT(message_of(touchable(), with([](auto& t) { t.point_mm.x() = NAN; })),
-                HasSubstr("not finite"));
+                HasSubstr("not within 10 m"));
 }
 
 TEST(ToolSession, ASceneNamesItsContacts) {

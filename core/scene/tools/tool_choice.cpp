@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/base/patient_space.h"
 #include "core/scene/tools/tool_kinds.h"
 
 namespace hepatica {
@@ -55,8 +56,7 @@ Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa,
             "has a length of " + number_text(choice.length_mm) + " mm", "Give 0 to 1000 mm");
     require(choice.direction.allFinite() && choice.direction.norm() > 0.0, "has no direction",
             "Give three finite numbers that are not all 0");
-    if (!point_mm.allFinite())
-        throw InputError("is not finite", "the place of the tool", "Give finite numbers");
+    require_reachable(point_mm, "the place of the tool");
     Tool tool;
     tool.pad_mm = std::clamp(0.1 * choice.radius_mm, 0.1, 0.5);
     kind->second(tool, choice, choice.direction.normalized(), point_mm);
