@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -296,10 +295,9 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
 
 // An interrupted attempt has no number, because it is no point of the curve.
 void AttemptsDialog::fill_interrupted(int row, const Attempt& attempt) {
-    const QDateTime ended = QFileInfo(to_text(attempt.recording)).lastModified();
     for (int column = 0; column < table_->columnCount(); ++column)
         table_->setItem(row, column, text_item({}));
-    table_->setItem(row, Column::ended, text_item(date_words(ended)));
+    table_->setItem(row, Column::ended, text_item(local_time(attempt.ended_at)));
     table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
     auto* outcome = text_item(Words::tr("interrupted"));
     outcome->setToolTip(Words::tr(

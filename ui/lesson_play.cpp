@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_play.h"
 
+#include <QDateTime>
 #include <system_error>
 #include <utility>
 
@@ -64,7 +65,9 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     LessonPlay play;
     play.watch = std::make_shared<LessonWatch>(lesson, patient, recording);
     auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job, back_end);
-    play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
+    Recording start = session->recording_start();
+    start.played_at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    play.watch->writer_ = std::make_unique<RecordingWriter>(recording, start);
     session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
     session->watch(
         [watch = play.watch, played = session.get()](

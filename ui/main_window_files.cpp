@@ -43,6 +43,7 @@
 #include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
+#include "ui/time_of_play.h"
 #include "ui/video_export.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
@@ -211,16 +212,13 @@ void MainWindow::offer_unsaved_work() {
     const auto interrupted = interrupted_recordings(to_path(settings_.recordings_folder()));
     for (const std::filesystem::path& recording : interrupted)
         attempt(Words::tr("Keep the result"), [&] { keep_interrupted(recording); });
-    const auto when = [](const std::filesystem::path& file) {
-        return date_words(QFileInfo(to_text(file)).lastModified());
-    };
     QStringList texts;
     if (!left.empty())
         texts << Words::tr(
                      "The program ended without saving %1 (%2)%3. The work is not lost: it "
                      "stays under File > Open unsaved work until it is saved or let go.")
                      .arg(translated(Recovery::unsaved_work(left.front()).title),
-                          when(left.front()),
+                          date_words(QFileInfo(to_text(left.front())).lastModified()),
                           left.size() > 1 ? Words::tr(", and %n more", nullptr,
                                                       static_cast<int>(left.size() - 1))
                                           : QString());
@@ -228,7 +226,7 @@ void MainWindow::offer_unsaved_work() {
         texts << Words::tr(
                      "The last lesson or recorded play was interrupted (%1). Its recording "
                      "goes up to that moment. A lesson that was interrupted counts as no attempt.")
-                     .arg(when(interrupted.front()));
+                     .arg(words_on_time_of_play(interrupted.front()));
     if (texts.isEmpty()) return;
     if (!left.empty())
         messages_->show_notice(texts.join("\n"), Words::tr("Open it"),

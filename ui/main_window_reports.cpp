@@ -17,16 +17,10 @@
 #include "ui/paths.h"
 #include "ui/report_writing.h"
 #include "ui/save_file_dialog.h"
+#include "ui/time_of_play.h"
 #include "ui/words.h"
 
 namespace hepatica {
-namespace {
-
-QDateTime time_of_play(const std::filesystem::path& recording) {
-    return QFileInfo(to_text(recording)).lastModified();
-}
-
-}  // namespace
 
 void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
     attempt(Words::tr("Write the report"), [&] {
@@ -59,7 +53,8 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     const QDateTime played = time_of_play(recording);
     const bool is_there = std::filesystem::exists(chosen);
     const QString title = Words::tr("Writing the report on %1 (%2)")
-                              .arg(called, QLocale().toString(played, "HH:mm:ss"));
+                              .arg(called, played.isValid() ? QLocale().toString(played, "HH:mm:ss")
+                                                            : words_on_time_of_play(recording));
     queued.title = title.toStdString();
     queued.begin = [this, order, chosen, is_there, called, played]() -> BackgroundJob::Work {
         const QString program =

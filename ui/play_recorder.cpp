@@ -60,11 +60,13 @@ PlayRecorder::~PlayRecorder() {
 
 void PlayRecorder::begin(Simulation& simulation, const fs::path& folder) {
     fs::create_directories(folder);
-    const QString now = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss-zzz");
-    file_ = folder / ("play-" + now.toStdString() + ".hrec");
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    file_ = folder / ("play-" + now.toString("yyyyMMdd-HHmmss-zzz").toStdString() + ".hrec");
     guard_ = std::make_unique<RecordingGuard>(file_);
     tape_ = std::make_shared<Tape>();
-    simulation.record_from_now([tape = tape_, file = file_](const Recording& start) {
+    const std::string played_at = now.toString(Qt::ISODate).toStdString();
+    simulation.record_from_now([tape = tape_, file = file_, played_at](Recording start) {
+        start.played_at = played_at;
         tape->begin(file, start);
         return [tape](RecordedStep step) { tape->keep(std::move(step)); };
     });

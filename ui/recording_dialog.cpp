@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recording_dialog.h"
 
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -22,12 +20,12 @@
 #include "core/lesson/review.h"
 #include "core/session/recording_file.h"
 #include "ui/core_words.h"
-#include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/plain_text.h"
 #include "ui/recording_guard.h"
 #include "ui/time_line.h"
+#include "ui/time_of_play.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -69,8 +67,8 @@ QString lesson_in_name(const fs::path& recording) {
 }  // namespace
 
 RecordingFacts facts_of(const fs::path& recording) {
-    const QDateTime played = QFileInfo(to_text(recording)).lastModified();
-    RecordingFacts facts{recording, lesson_in_name(recording), date_words(played), {}};
+    RecordingFacts facts{
+        recording, lesson_in_name(recording), words_on_time_of_play(recording), {}};
     const fs::path result = result_file_of(recording);
     std::error_code ignored;
     if (!fs::exists(result, ignored)) {

@@ -20,11 +20,11 @@ class QTableWidget;
 
 namespace hepatica {
 
-// What is known of a recording without reading it.
+// What is known of a recording by its header and what lies beside it.
 struct RecordingFacts {
     std::filesystem::path file;
     QString lesson;     // or free play
-    QString played;     // date and time
+    QString played;     // date and time, or that they are not known
     QString result;     // may be empty
     QString trainee{};  // may be empty
 };

@@ -2,7 +2,6 @@
 #include "app/report/lesson_report.h"
 
 #include <QDateTime>
-#include <QFileInfo>
 #include <QImage>
 #include <QLocale>
 #include <algorithm>
@@ -32,6 +31,7 @@
 #include "ui/lesson_words.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
+#include "ui/time_of_play.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -254,6 +254,7 @@ struct Parts {
     bool free;
     const Score& scored;
     const PatientCase& patient;
+    const Recording& recording;
     std::vector<PlayNote> notes;
     std::vector<std::pair<fs::path, std::string>> pictures;
     std::vector<std::pair<fs::path, std::string>> plots;
@@ -276,9 +277,11 @@ void add_who_and_when(HtmlReport& page, const Parts& parts) {
         facts << Words::tr("Played by %1").arg(QString::fromStdString(request.name));
     if (const QString patient = name_of_patient(request, parts.patient); !patient.isEmpty())
         facts << Words::tr("Patient: %1").arg(patient);
-    const QDateTime played = QFileInfo(to_text(request.recording)).lastModified();
-    facts << Words::tr("Played on %1")
-                 .arg(QLocale().toString(played, Words::tr("d MMMM yyyy, hh:mm")));
+    const QDateTime played = time_of_play(request.recording);
+    facts << (played.isValid()
+                  ? Words::tr("Played on %1")
+                        .arg(QLocale().toString(played, Words::tr("d MMMM yyyy, hh:mm")))
+                  : Words::tr("Date unknown"));
     facts << "Hepatica " HEPATICA_VERSION;
     page.add_paragraph(key(facts.join(" · ")));
 }
@@ -329,9 +332,12 @@ QString legend_of_pictures(const Parts& parts) {
     return sentences.join(" ");
 }
 
-HtmlReport page_of(const Parts& parts) {
-    HtmlReport page("Hepatica: " + key(translated(parts.lesson.name)), parts.request.language);
-    add_who_and_when(page, parts);
+void add_what_was_played(HtmlReport& page, const Parts& parts) {
+    // Reading warns of nothing else; its own words name the file, whose name may name the patient.
+    if (!parts.recording.warnings.empty())
+        page.add_paragraph(
+            key(Words::tr("The recording is cut short: this is about what is left of it, which may "
+                          "not be the whole play.")));
     if (!parts.free) add_verdict(page, parts);
     add_notes(page, parts.notes);
     page.add_heading(key(Words::tr("Metrics")));
@@ -344,6 +350,15 @@ HtmlReport page_of(const Parts& parts) {
     if (parts.scored.standing.metrics.blood_lost_g > 0.0)
         page.add_paragraph(key(Words::tr("Red balls: blood, a tenth of the volume lost.")));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
+}
+
+HtmlReport page_of(const Parts& parts) {
+    HtmlReport page("Hepatica: " + key(translated(parts.lesson.name)), parts.request.language);
+    add_who_and_when(page, parts);
+    if (parts.recording.steps.empty())
+        page.add_paragraph(key(Words::tr("Nothing was played.")));
+    else
+        add_what_was_played(page, parts);
     page.add_paragraph(key(
         Words::tr("For training and research alone: no diagnosis, no treatment, no certificate.")));
     return page;
@@ -454,12 +469,17 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
         [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
     job.begin_stage(Words::id("Drawing pictures"));
     fs::create_directories(request.out);
-    WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
+    const bool nothing_played = recording.steps.empty();
+    WrittenReport written;
+    if (!nothing_played) written.passed = scored.standing.outcome == LessonOutcome::passed;
+    written.warnings = recording.warnings;
     write_files_atomically(request.out, [&](const fs::path& folder) {
-        Parts parts{request, lesson, !played, scored, *patient, notes, {}, {}};
-        write_pictures(parts, moments, *places, folder, job);
-        write_plots(parts, folder);
-        write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
+        Parts parts{request, lesson, !played, scored, *patient, recording, notes, {}, {}};
+        if (!nothing_played) {
+            write_pictures(parts, moments, *places, folder, job);
+            write_plots(parts, folder);
+            write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
+        }
         fs::copy_file(request.recording, folder / "recording.hrec");
         if (!notes.empty()) write_notes(folder / "recording.hrec", notes);
         const HtmlReport page = page_of(parts);

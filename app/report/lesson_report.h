@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,15 @@ struct ReportRequest {
 };
 
 struct WrittenReport {
-    bool passed = false;
+    std::optional<bool> passed;                // nullopt: nothing was played
     std::vector<std::filesystem::path> files;  // all files in the folder
+    std::vector<std::string> warnings;         // from reading the recording
 };
 
 // Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, with the
-// notes beside it where there are some, all of them or none. Needs a QApplication, but no display.
-// Throws InputError, also where a recording.hrec is there that is of no report; Cancelled.
+// notes beside it where there are some, all of them or none. Where nothing was played the page says
+// so, without a verdict, and tables and pictures are left out. Needs a QApplication, but no
+// display. Throws InputError, also where a recording.hrec is there that is of no report; Cancelled.
 WrittenReport write_report(const ReportRequest& request, Job& job);
 
 }  // namespace hepatica

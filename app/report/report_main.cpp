@@ -30,6 +30,8 @@ namespace hepatica {
 namespace {
 
 void print(const WrittenReport& written, bool json) {
+    for (const std::string& warning : written.warnings)
+        std::fprintf(stderr, "hepatica: %s\n", qPrintable(translated(warning)));
     if (!json) {
         for (const std::filesystem::path& file : written.files)
             std::printf("%s\n", qPrintable(to_text(file)));
@@ -37,7 +39,8 @@ void print(const WrittenReport& written, bool json) {
     }
     QJsonArray files;
     for (const std::filesystem::path& file : written.files) files.append(to_text(file));
-    const QJsonObject answer{{"passed", written.passed}, {"files", files}};
+    const QJsonValue passed = written.passed ? QJsonValue(*written.passed) : QJsonValue();
+    const QJsonObject answer{{"passed", passed}, {"files", files}};
     std::printf("%s\n", QJsonDocument(answer).toJson(QJsonDocument::Compact).constData());
 }
 

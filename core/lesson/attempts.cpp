@@ -199,6 +199,10 @@ std::string name_beside(const fs::path& recording) {
     return attempt_beside(recording).name;
 }
 
+std::string ended_at_beside(const fs::path& recording) {
+    return attempt_beside(recording).ended_at;
+}
+
 bool interrupted_beside(const fs::path& recording) {
     return was_interrupted(attempt_beside(recording));
 }

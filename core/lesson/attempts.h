@@ -83,6 +83,8 @@ Attempts attempts_at(const LessonKey& lesson, const std::filesystem::path& folde
 std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
 // The trainee's name in the result beside this recording; empty if it has none or cannot be read.
 std::string name_beside(const std::filesystem::path& recording);
+// When that result says that the play ended, as Attempt::ended_at; empty likewise.
+std::string ended_at_beside(const std::filesystem::path& recording);
 // Whether that result is of an interrupted attempt; false if there is none or it cannot be read.
 bool interrupted_beside(const std::filesystem::path& recording);
 // The course's pass marks in that result; empty if it has none or cannot be read.

@@ -2,7 +2,8 @@
 // A session that can be replayed to the last bit: a hash of the patient, the scene, the commands of
 // every step, a hash of the state after each step, and a full state (keyframe) every ten seconds of
 // play, where a replay can start. It begins with a new scene or with a full state during a play.
-// The patient is identified only by the hash of tree and mesh.
+// The date of the play may stand with it. The patient is identified only by the hash of tree and
+// mesh.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,10 @@ struct Recording {
     std::string back_end;            // name of the DeformBackEnd that computed the body
     std::uint64_t patient_hash = 0;  // of tree and mesh, see hash_of(PatientCase)
     SceneSpec scene;
+    // When it was played: UTC in ISO 8601 ("2026-11-23T13:20:05Z"), given by who records, since
+    // core asks no clock; empty: not known, as of a script, whose recordings are the same in every
+    // run.
+    std::string played_at;
     // The state at the start, with step number 0; null: at rest, with a new scene.
     std::shared_ptr<const Keyframe> begin;
     std::vector<RecordedStep> steps;

@@ -32,12 +32,13 @@ std::uint64_t from_hex(const std::string& text) {
 }
 
 std::string header_of(const Recording& recording) {
-    const Json header{{"format", "hepatica-recording"},
-                      {"version", format_version},
-                      {"program", recording.program},
-                      {"back_end", recording.back_end},
-                      {"patient_hash", to_hex(recording.patient_hash)},
-                      {"scene", to_json(recording.scene)}};
+    Json header{{"format", "hepatica-recording"},
+                {"version", format_version},
+                {"program", recording.program},
+                {"back_end", recording.back_end},
+                {"patient_hash", to_hex(recording.patient_hash)}};
+    if (!recording.played_at.empty()) header["played_at"] = recording.played_at;
+    header["scene"] = to_json(recording.scene);
     return header.dump() + "\n";
 }
 
@@ -77,6 +78,7 @@ void read_header(const Json& json, Recording& recording) {
                              program_version() + ", whose steps do not have the same bits",
                          "", "Replay it with version " + recording.program);
     recording.patient_hash = from_hex(json.at("patient_hash").get<std::string>());
+    recording.played_at = json.value("played_at", "");
     recording.scene = scene_from_json(json.at("scene"));
 }
 

@@ -3,7 +3,7 @@
 // are only appended, so that a crash leaves everything that was played; the last line may then be
 // incomplete, and the reader drops it.
 //   {"format": "hepatica-recording", "version": 2, "program": "0.1.0", "back_end": "cpu",
-//    "patient_hash": "...", "scene": {...}}
+//    "patient_hash": "...", "played_at": "2026-11-23T13:20:05Z", "scene": {...}}
 //   {"keyframe": 0, ...}                                 where it began amid a play
 //   {"hash": "...", "commands": [...]}
 //   {"keyframe": 600, "played_steps": 600, "automatic": false, "world": {...}}

@@ -10,6 +10,7 @@
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/play_notes.h"
+#include "core/session/recording_file.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -126,7 +127,7 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     const std::string page = contents_of(path("report/report.html"));
     for (const char* text :
          {"PASSED", "Trainee 7", "Pull &lt;gently&gt;", "peak force", "picture_1.png", "plot_1.png",
-          "<html lang=\"en\"", "Played on", "<thead>"})
+          "<html lang=\"en\"", "Date unknown", "<thead>"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     for (const char* text : {"blood", "dose", "contacts", "injected"})
         EXPECT_EQ(page.find(text), std::string::npos) << text << " means nothing here";
@@ -165,6 +166,67 @@ TEST_F(LessonVerb, AReportHoldsTheNotesOfTheInstructor) {
         EXPECT_EQ(page_of(out).find("Notes of"), std::string::npos) << out;
         EXPECT_FALSE(fs::exists(notes_file_of(path(std::string(out) + "/recording.hrec")))) << out;
     }
+}
+
+// A file's own time changes with every copy.
+TEST_F(LessonVerb, AReportTellsTheDateOfTheRecordingAndNeverThatOfTheFile) {
+    play(3.0);
+    const auto page_of = [&](const std::string& name, const std::string& played_at) {
+        Recording recording = read_recording(path("play.hrec"));
+        recording.played_at = played_at;
+        write_recording(path(name + ".hrec"), recording);
+        const Outcome run = report({"--report", path(name + ".hrec"), "--out", path(name),
+                                    "--lesson", path("lesson.json")});
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        return contents_of(path(name + "/report.html"));
+    };
+    EXPECT_NE(page_of("dated", "2024-05-06T12:00:00Z").find("Played on 6 May 2024"),
+              std::string::npos);
+    Attempt attempt;
+    attempt.recording = path("older.hrec");
+    attempt.lesson = "Pull <gently>";
+    attempt.ended_at = "2023-02-03T12:00:00Z";
+    write_attempt(attempt);
+    EXPECT_NE(page_of("older", "").find("Played on 3 February 2023"), std::string::npos);
+    const std::string undated = page_of("undated", "");
+    EXPECT_NE(undated.find("Date unknown"), std::string::npos);
+    EXPECT_EQ(undated.find("Played on"), std::string::npos);
+}
+
+TEST_F(LessonVerb, AReportSaysThatTheRecordingIsCutShort) {
+    play(3.0);
+    const std::string text = contents_of(path("play.hrec"));
+    const std::size_t amid_a_step = text.find('\n', text.size() / 2) + 10;
+    std::ofstream(path("short.hrec")) << text.substr(0, amid_a_step);
+    const Outcome run = report(
+        {"--report", path("short.hrec"), "--out", path("short"), "--lesson", path("lesson.json")});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_NE(run.errors.find("was not written to its end and is left out"), std::string::npos)
+        << run.errors;
+    const std::string page = contents_of(path("short/report.html"));
+    EXPECT_NE(page.find("The recording is cut short"), std::string::npos);
+    EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
+    const Outcome whole = report(
+        {"--report", path("play.hrec"), "--out", path("whole"), "--lesson", path("lesson.json")});
+    EXPECT_EQ(whole.errors.find("to its end"), std::string::npos) << whole.errors;
+    EXPECT_EQ(contents_of(path("whole/report.html")).find("cut short"), std::string::npos);
+}
+
+TEST_F(LessonVerb, AReportGivesNoVerdictWhereNothingWasPlayed) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["limits"] = Json::array({Json{{"what", "time_s"}, {"at_most", 10}}});
+    std::ofstream(path("limited.json")) << lesson.dump();
+    const std::string text = contents_of(path("play.hrec"));
+    std::ofstream(path("header.hrec")) << text.substr(0, text.find('\n') + 1);
+    const Outcome run = report({"--report", path("header.hrec"), "--out", path("header"),
+                                "--lesson", path("limited.json"), "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_TRUE(Json::parse(run.output)["passed"].is_null()) << run.output;
+    const std::string page = contents_of(path("header/report.html"));
+    EXPECT_NE(page.find("Nothing was played."), std::string::npos);
+    for (const char* text_of_a_verdict : {"PASSED", "Limits", "Kept", "Metrics", "Pictures"})
+        EXPECT_EQ(page.find(text_of_a_verdict), std::string::npos) << text_of_a_verdict;
 }
 
 // The window has one bar of the whole report, which needs to know which stage of how many it is.
@@ -354,8 +416,8 @@ TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_NE(run.output.find("\"fraction\":"), std::string::npos) << run.output;
     const std::string page = contents_of(path("Bericht/report.html"));
-    for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7",
-                             "Datum: ", "Schritte", "Bilder", "Blut", "0,0\u00a0mL<", "Hepatica "})
+    for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7", "Datum unbekannt",
+                             "Schritte", "Bilder", "Blut", "0,0\u00a0mL<", "Hepatica "})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     for (const char* text : {"PASSED", "Pictures", "peak force", "Before the first"})
         EXPECT_EQ(page.find(text), std::string::npos) << text;

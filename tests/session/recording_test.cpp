@@ -229,6 +229,18 @@ TEST(RecordingFile, NamesNobody) {
         EXPECT_EQ(text.find(name), std::string::npos) << name;
 }
 
+TEST(RecordingFile, HoldsTheDateThatItWasGivenAndNoOther) {
+    Recording recording = few_steps();
+    EXPECT_EQ(written(recording).find("played_at"), std::string::npos);
+    EXPECT_EQ(written(recording), written(few_steps())) << "the same play has the same bytes";
+    recording.played_at = "2024-05-06T12:00:00Z";
+    const fs::path file = fs::path(testing::TempDir()) / "dated.hrec";
+    write_recording(file, recording);
+    EXPECT_EQ(read_recording(file, RecordingPart::header).played_at, "2024-05-06T12:00:00Z");
+    EXPECT_THAT(refusal_of(replaced(written(recording), "\"2024-05-06T12:00:00Z\"", "7")),
+                HasSubstr("line 1"));
+}
+
 TEST(RecordingFile, OfAnotherVersionIsRefusedWithTheReason) {
     const std::string text = written(few_steps());
     EXPECT_EQ(refusal_of(text), "");

@@ -29,6 +29,7 @@
 #include "ui/recording_dialog.h"
 #include "ui/recording_guard.h"
 #include "ui/review_dock.h"
+#include "ui/time_of_play.h"
 
 namespace hepatica {
 namespace {
@@ -94,10 +95,42 @@ TEST_F(RecordedWindow, a_free_play_is_recorded_and_looked_back_on) {
     EXPECT_GT(recording.steps.size(), 0u);
     EXPECT_FALSE(replay(recording, test::small_patient(), job).diverged_at);
     EXPECT_EQ(facts_of(files[0]).lesson, "Free play");
+    const QDateTime played = time_of_play(files[0]).toUTC();
+    EXPECT_TRUE(to_text(files[0].filename()).startsWith(played.toString("'play-'yyyyMMdd-HHmmss-")))
+        << recording.played_at;
     EXPECT_TRUE(interrupted_recordings(recordings()).empty()) << "it ended as it should";
     window_.messages().findChild<QPushButton*>("offer")->click();
     EXPECT_TRUE(wait_for([&] { return window_.review().complete(); }));
     EXPECT_FALSE(record().isEnabled()) << "what is looked back on is recorded already";
+}
+
+TEST_F(RecordedWindow, the_recording_of_a_lesson_holds_its_date) {
+    start_lesson();
+    const auto files = recordings_in(recordings());
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_TRUE(time_of_play(files[0]).isValid());
+}
+
+// Nor does a copy change it, whose own time is another one.
+TEST(TimeOfPlay, IsThatOfTheHeaderOrOfTheResultBesideItOrUnknown) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "play.hrec";
+    Recording recording = test::new_session()->recording_start();
+    write_recording(file, recording);
+    EXPECT_FALSE(time_of_play(file).isValid());
+    EXPECT_EQ(words_on_time_of_play(file), "date unknown");
+    EXPECT_EQ(facts_of(file).played, "date unknown");
+    Attempt attempt;
+    attempt.recording = file;
+    attempt.lesson = "Gentle pull";
+    attempt.ended_at = "2023-02-03T12:00:00Z";
+    write_attempt(attempt);
+    EXPECT_EQ(time_of_play(file).toUTC().date(), QDate(2023, 2, 3));
+    recording.played_at = "2024-05-06T12:00:00Z";
+    write_recording(file, recording);
+    EXPECT_EQ(time_of_play(file).toUTC(), QDateTime(QDate(2024, 5, 6), QTime(12, 0), Qt::UTC));
+    EXPECT_TRUE(words_on_time_of_play(file).contains("2024"));
+    EXPECT_FALSE(time_of_play(folder.path() / "none.hrec").isValid());
 }
 
 TEST_F(RecordedWindow, the_recording_ends_with_the_patient) {
