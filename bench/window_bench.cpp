@@ -214,7 +214,9 @@ class WindowBench {
         ViewLayout& views = window_.view_layout();
         views.show_patient(window_.workspace().patient(), window_.workspace().folder(), ct);
         views.set_slices_visible(true);
-        if (!run_until([&] { return !views.slices().empty(); })) return false;
+        const auto is_read = [&] { return views.ct_readings().present.expired(); };
+        if (!run_until([&] { return !views.slices().empty() || is_read(); })) return false;
+        if (views.slices().empty()) return false;
         run_for(idle_s);  // the dial is measured once beside the window
         SliceView& axial = views.slice_view(SliceDirection::axial);
         const Index3& dims = views.slices().ct().grid.dims;
@@ -253,7 +255,9 @@ class WindowBench {
         turn_and_rest("without the CT");
         window_.actions()[ActionId::toggle_volume].trigger();
         const auto* bar = window_.findChild<QWidget*>("volumeBar");
-        if (!run_until([&] { return bar->isEnabled(); })) return false;
+        if (!run_until([&] { return bar->isEnabled() || !window_.volume().making(); }) ||
+            !bar->isEnabled())
+            return false;
         turn_and_rest("vessels and bones");
         auto* preset = window_.findChild<QComboBox*>("volumePreset");
         preset->setCurrentIndex(1);
@@ -419,6 +423,21 @@ std::optional<Wishes> wishes_in(const QStringList& words) {
     return wishes;
 }
 
+// Says so where it is not; the program then ends.
+bool is_there(const QString& path) {
+    if (QFileInfo::exists(path)) return true;
+    std::fprintf(stderr, "window_bench: %s does not exist\n", qPrintable(path));
+    return false;
+}
+
+// The exit code of what was done with a CT.
+int ended(bool done, const QString& ct) {
+    if (done) return 0;
+    std::fprintf(stderr, "window_bench: %s holds no CT of this patient that can be read\n",
+                 qPrintable(ct));
+    return 1;
+}
+
 }  // namespace
 }  // namespace hepatica
 
@@ -434,10 +453,9 @@ int main(int argc, char** argv) {
             "usage: window_bench CASE|built-in [--only-pull | --slices CT | --volume CT]\n");
         return 2;
     }
-    if (wishes->path != "built-in" && !QFileInfo::exists(wishes->path)) {
-        std::fprintf(stderr, "window_bench: %s does not exist\n", qPrintable(wishes->path));
-        return 1;
-    }
+    if (wishes->path != "built-in" && !is_there(wishes->path)) return 1;
+    for (const std::optional<QString>& ct : {wishes->slices, wishes->volume})
+        if (ct && !is_there(*ct)) return 1;
     apply_theme(application);
     const QTemporaryDir folder;
     Settings settings(folder.filePath("settings.ini"));
@@ -457,8 +475,8 @@ int main(int argc, char** argv) {
                 window.view().renderer_name().c_str(), window.view().width(),
                 window.view().height());
     WindowBench bench(window);
-    if (wishes->slices) return bench.scroll(to_path(*wishes->slices)) ? 0 : 1;
-    if (wishes->volume) return bench.volume(to_path(*wishes->volume)) ? 0 : 1;
+    if (wishes->slices) return ended(bench.scroll(to_path(*wishes->slices)), *wishes->slices);
+    if (wishes->volume) return ended(bench.volume(to_path(*wishes->volume)), *wishes->volume);
     if (!wishes->only_pull) {
         bench.settle();
         bench.idle("before an injection");

@@ -128,6 +128,11 @@ int report_main(int argc, char** argv) {
     parser.addOption({"json", "Print one JSON object."});
     parser.addOptions(report_options());
     parser.process(application);
+    // An option behind it would be taken for the recording, and what follows for a case to open.
+    if (parser.value("report").startsWith("--"))
+        return refuse("--report needs a RECORDING, and is followed by " +
+                          parser.value("report").toStdString(),
+                      2);
     if (const QStringList more = parser.positionalArguments(); !more.isEmpty())
         return refuse("beside --report nothing is opened: leave " + more[0].toStdString() + " out",
                       2);

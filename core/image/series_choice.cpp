@@ -225,16 +225,30 @@ fs::path middle_slice(const Series& series) {
     return series.slices[middle->second].file;
 }
 
+// As far as the file's size tells: compressed pixels may break off anywhere.
+bool is_cut_off(const DicomSlice& slice) {
+    if (slice.compressed || slice.deflated_at != 0) return false;
+    std::error_code failed;
+    const std::uintmax_t bytes = fs::file_size(slice.pixel_file, failed);
+    return !failed && slice.pixel_offset + slice.pixel_bytes > bytes;
+}
+
 std::vector<std::string> warnings_of(const Series& series) {
     if (!series.is_ct()) return {"it is no CT"};
     std::vector<std::string> warnings;
+    const auto cannot_be_read = [&](const std::string& why, const fs::path& file) {
+        warnings.push_back("it cannot be read: " + why + " (" +
+                           quoted_name(file.filename().string()) + ")");
+    };
+    const auto cut_off = std::ranges::find_if(series.slices, is_cut_off);
+    if (cut_off != series.slices.end())
+        cannot_be_read("has fewer pixels than its header claims", cut_off->file);
     const bool known =  // the frames of an enhanced file are unknown until it is split
         std::ranges::none_of(series.slices, &DicomSlice::enhanced);
     try {
         if (known) order_slices(series.slices);
     } catch (const InputError& refused) {
-        warnings.push_back("it cannot be read: " + refused.problem() + " (" +
-                           quoted_name(fs::path(refused.place()).filename().string()) + ")");
+        cannot_be_read(refused.problem(), refused.place());
     }
     if (series.spacing_mm > thickest_good_mm)
         warnings.push_back("its slices lie far apart: thin vessels are lost");

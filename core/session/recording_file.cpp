@@ -10,6 +10,7 @@
 #include "core/base/json_depth.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
+#include "core/base/quoted_name.h"
 #include "core/base/regular_file.h"
 #include "core/base/stop.h"
 
@@ -22,12 +23,19 @@ namespace {
 constexpr int format_version = 2;
 constexpr const char* how_to_record = "Give a file written by simulate --record";
 
+// What fits into a message: a damaged file may hold megabytes where a hash should be.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t most = 24;
+    return text.size() <= most ? text : as_utf8(text.substr(0, most)) + "…";
+}
+
 std::uint64_t from_hex(const std::string& text) {
     std::uint64_t value = 0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value, 16);
     if (error != std::errc{} || rest != end || text.size() != 16)
-        throw InputError("\"" + text + "\" is not a hash", "", "The recording is damaged");
+        throw InputError("\"" + shortened(text) + "\" is not a hash", "",
+                         "The recording is damaged");
     return value;
 }
 

@@ -452,6 +452,11 @@ TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
     EXPECT_NE(run.errors.find("nothing.hrec"), std::string::npos) << run.errors;
     EXPECT_FALSE(fs::exists(path("no report")));
     EXPECT_EQ(report({"--report", path("nothing.hrec")}).exit_code, 2);
+    const Outcome unnamed = report({"--report", "--out", path("no report")});
+    EXPECT_EQ(unnamed.exit_code, 2);
+    EXPECT_NE(unnamed.errors.find("--report needs a RECORDING, and is followed by --out"),
+              std::string::npos)
+        << unnamed.errors;
     const Outcome units =
         report({"--report", path("nothing.hrec"), "--out", path("no report"), "--units", "ounces"});
     EXPECT_EQ(units.exit_code, 2);

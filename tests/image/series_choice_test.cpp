@@ -220,11 +220,14 @@ TEST(SeriesChoice, WarnsOfWhatSpeaksAgainstASeries) {
     exam.add("native", 16, 60, 2.0);
     exam.add("holed", 16, 60, 2.0);
     exam.add("magnets", 16, 60, 2.0);
+    exam.add("copied by halves", 16, 60, 2.0);
     exam.edit("magnets", modality, "MR");
+    const fs::path half = exam.path() / "copied by halves" / "slice_0008.dcm";
+    fs::resize_file(half, fs::file_size(half) - 100);
     fs::remove(exam.path() / "holed" / "slice_0008.dcm");
     Job job;
     const std::vector<SeriesDescription> list = list_series(exam.path(), job);
-    ASSERT_EQ(list.size(), 5u);
+    ASSERT_EQ(list.size(), 6u);
     const auto warnings = [&](const char* name) {
         for (const SeriesDescription& one : list)
             if (one.description.find(name) != std::string::npos) return one.warnings;
@@ -238,6 +241,11 @@ TEST(SeriesChoice, WarnsOfWhatSpeaksAgainstASeries) {
     EXPECT_EQ(warnings("native"),
               (std::vector<std::string>{slab, "without contrast no vessel is seen"}));
     EXPECT_EQ(warnings("magnets"), std::vector<std::string>{"it is no CT"});
+    EXPECT_EQ(
+        warnings("copied by halves"),
+        (std::vector<std::string>{"it cannot be read: has fewer pixels than its header claims "
+                                  "(“slice_0008.dcm”)",
+                                  slab}));
     ASSERT_EQ(warnings("holed").size(), 2u);
     EXPECT_TRUE(warnings("holed")[0].starts_with("it cannot be read: 1 slice is missing between"))
         << warnings("holed")[0];

@@ -337,6 +337,14 @@ TEST(RecordingFile, ADamagedLineInTheMiddleIsRefusedByItsNumber) {
                 HasSubstr("line 3"));
 }
 
+TEST(RecordingFile, ALongTextInPlaceOfAHashIsCutInTheMessage) {
+    const std::string text = written(few_steps());
+    const std::string said =
+        refusal_of(text + "{\"hash\": \"" + std::string(1'000'000, 'z') + "\"}\n");
+    EXPECT_THAT(said, AllOf(HasSubstr("line 6"), HasSubstr("zzz…\" is not a hash")));
+    EXPECT_LT(said.size(), 500u);
+}
+
 // A replay from there would never end.
 TEST(RecordingFile, ANumberThatNoBodyCanHaveIsRefusedByLineFieldAndRange) {
     const std::string text = written(few_steps());
