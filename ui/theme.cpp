@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme.h"
 
+#include <qdrawutil.h>
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QFocusFrame>
@@ -41,6 +42,7 @@ QGroupBox { border: 1px solid {frame}; border-radius: 6px; margin-top: 16px; pad
 QGroupBox::title { subcontrol-origin: margin; left: 8px; color: {quiet}; }
 QPushButton { padding: 5px 12px; border-radius: 4px; background: {button}; border: 1px solid {frame}; }
 QPushButton:hover { background: {button_hover}; }
+QPushButton:focus { border-color: {accent_border}; }
 QPushButton:disabled { color: {disabled}; background: {window}; }
 QPushButton:default { background: {accent}; border-color: {accent_border}; color: {accent_text}; }
 QPushButton#welcomeFirst { border-color: {accent_border}; font-weight: 600; }
@@ -214,7 +216,7 @@ class Style : public QProxyStyle {
         // Rows of tables and lists take it for the room beside their text.
         if (metric == PM_FocusFrameHMargin && qobject_cast<const QAbstractItemView*>(widget))
             return beside_text_px;
-        if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return ring_px / 2;
+        if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return ring_px;
         return QProxyStyle::pixelMetric(metric, option, widget);
     }
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
@@ -222,9 +224,7 @@ class Style : public QProxyStyle {
         if (element != CE_FocusFrame) QProxyStyle::drawControl(element, option, painter, widget);
         if (element == CE_TabBarTabShape) mark_chosen_tab(*option, *painter);
         if (element != CE_FocusFrame) return;
-        painter->setPen(QPen(theme_.link, ring_px, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
+        qDrawPlainRect(painter, option->rect, theme_.accent_border, ring_px);
     }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
@@ -248,7 +248,9 @@ class Style : public QProxyStyle {
     }
 
   private:
-    static constexpr int ring_px = 2, beside_text_px = 5;
+    // All of the ring lies beside the widget, so that it shows on any of its colours and hides no
+    // word.
+    static constexpr int ring_px = 3, beside_text_px = 5;
 
     // Lines across a square with sides of 1, in the colour of text.
     QIcon drawn(const std::vector<std::vector<QPointF>>& lines) const {

@@ -27,7 +27,8 @@ struct Theme {
     // Backgrounds: window, fields, bars, buttons; and the frames around them.
     QColor window, base, bar, button, button_hover, frame;
     QColor text, quiet, disabled, title;
-    // Selected or switched on: background, border, text; and links.
+    // Selected or switched on: background, border, which is also the frame around what has the
+    // keys, text; and links.
     QColor accent, accent_border, accent_text, link;
     // Backgrounds of messages, their text, and errors in an input.
     QColor failure, notice, message_text, problem;

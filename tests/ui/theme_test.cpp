@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QMainWindow>
+#include <QPushButton>
 #include <QStyle>
 #include <QTableWidget>
 #include <QToolBar>
@@ -127,11 +128,24 @@ TEST_F(ChosenTheme, ColoursWindowAndViewAndStays) {
     EXPECT_TRUE(next.actions()[ActionId::theme_light].isChecked());
 }
 
+// Of pixels, between whose colours in the two pictures there are at least 3 to 1, as WCAG 2.2 asks
+// of what shows the focus.
+int distinct_pixels(const QImage& one, const QImage& other) {
+    int distinct = 0;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            distinct += contrast(one.pixelColor(x, y), other.pixelColor(x, y)) >= 3.0 ? 1 : 0;
+    return distinct;
+}
+
 // Where the keys go is to be seen, whatever takes them.
 TEST_F(ChosenTheme, ShowsEveryStopOfTheTabKey) {
     QApplication::setCursorFlashTime(0);
     open_built_in();
     window_.actions()[ActionId::toggle_branches].trigger();
+    // Else Tab goes through the cells of a table and never leaves it.
+    for (QTableWidget* table : window_.findChildren<QTableWidget*>())
+        table->setTabKeyNavigation(false);
     for (const ActionId theme :
          {ActionId::theme_dark, ActionId::theme_light, ActionId::theme_high_contrast}) {
         window_.actions()[theme].trigger();
@@ -144,22 +158,53 @@ TEST_F(ChosenTheme, ShowsEveryStopOfTheTabKey) {
         std::set<QWidget*> stops;
         for (QWidget* stop = QApplication::focusWidget(); stops.insert(stop).second;
              stop = QApplication::focusWidget()) {
-            const QImage with = around(*stop, 2);
+            const QImage with = around(*stop, 4);
             QTest::keyClick(stop, Qt::Key_Tab);
             ASSERT_NE(QApplication::focusWidget(), nullptr);
             if (stop == &window_.view()) continue;  // its picture changes by itself, see below
-            QImage without = around(*stop, 2);
-            int differ = 0;
-            for (int y = 0; y < with.height(); ++y)
-                for (int x = 0; x < with.width(); ++x)
-                    differ += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
-            EXPECT_GT(differ, stop->width() + stop->height())
+            // Three pixels along nearly half of the way around: the rest may lie beyond a panel's
+            // edge, or upon what is of a similar colour.
+            EXPECT_GT(distinct_pixels(with, around(*stop, 4)),
+                      2.5 * (stop->width() + stop->height()))
                 << stop->metaObject()->className() << " " << stop->objectName().toStdString() << " "
                 << stop->accessibleName().toStdString();
         }
         EXPECT_GT(stops.size(), 15u);
     }
     QApplication::setCursorFlashTime(1000);
+}
+
+TEST_F(ChosenTheme, FramesTheFocusedButtonByThreePixelsThatStandOut) {
+    for (const Theme& theme : themes()) {
+        apply_theme(*qApp, theme);
+        QWidget window;
+        QPushButton plain("Pause", &window), chosen("Play", &window);
+        chosen.setDefault(true);
+        plain.setGeometry(20, 20, 100, 30);
+        chosen.setGeometry(20, 80, 100, 30);
+        window.show();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        for (QPushButton* button : {&plain, &chosen}) {
+            (button == &plain ? chosen : plain).setFocus();
+            QCoreApplication::processEvents();
+            const QImage without = window.grab().toImage();
+            button->setFocus();
+            QCoreApplication::processEvents();
+            const QImage with = window.grab().toImage();
+            const int middle_y = button->geometry().center().y();
+            const int middle_x = button->geometry().center().x();
+            const auto differs = [&](int x, int y) {
+                return contrast(with.pixelColor(x, y), without.pixelColor(x, y)) >= 3.0;
+            };
+            for (int k = 1; k <= 3; ++k) {
+                EXPECT_TRUE(differs(button->x() - k, middle_y)) << theme.name << " left " << k;
+                EXPECT_TRUE(differs(middle_x, button->y() - k)) << theme.name << " top " << k;
+            }
+        }
+        for (const QColor& ground : {theme.window, theme.base, theme.bar})
+            EXPECT_GE(contrast(theme.accent_border, ground), 3.0) << theme.name;
+    }
 }
 
 // What may be written can be read, and is not taken for what was.
@@ -191,7 +236,6 @@ TEST_F(ChosenTheme, TicksWhatIsChecked) {
         EXPECT_GT(tick, 3) << theme.name;
         EXPECT_GT(ground, 40) << theme.name;
         EXPECT_GE(contrast(theme.accent_text, theme.accent), 4.5) << theme.name;
-        EXPECT_GE(contrast(theme.link, theme.window), 3.0) << theme.name << ": the frame of focus";
     }
 }
 
