@@ -27,6 +27,7 @@
 #include "ui/dial_keeper.h"
 #include "ui/edit_panel.h"
 #include "ui/elided_status_bar.h"
+#include "ui/enter_key.h"
 #include "ui/fit_keeper.h"
 #include "ui/focus_of_view.h"
 #include "ui/help_dialogs.h"
@@ -105,6 +106,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     : settings_(settings), back_ends_(patients.back_ends) {
     new WheelGuard(this);  // owned by the window
     new PopupGuard(this);
+    new EnterKey(this);
     show_title({});
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});

@@ -44,7 +44,7 @@ Welcome::Welcome(const Actions& actions, std::function<void()> lessons, QWidget*
     add(Words::tr("A CT folder (DICOM)…"), ActionId::open_ct_folder);
     add(Words::tr("A CT file (NIfTI, MetaImage, NRRD)…"), ActionId::open_ct_file);
     add(Words::tr("A case that was reconstructed before…"), ActionId::open_case);
-    // So that Enter presses the one that has the focus, as in a dialog, and that one alone is lit.
+    // So that the one that has the focus is lit, and that one alone.
     for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(true);
     parent->installEventFilter(this);
     centre();
