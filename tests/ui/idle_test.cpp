@@ -3,6 +3,7 @@
 // picture, before an injection and after it has run out.
 #include <QDoubleSpinBox>
 #include <QPushButton>
+#include <ctime>
 
 #include "core/scene/measured_dial.h"
 #include "core/study/dial_study.h"
@@ -47,6 +48,17 @@ void turn_the_event_loop(int turns) {
     }
 }
 
+double seconds_on(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Processor time of the program so far but for this thread, which turns the event loop.
+double seconds_of_other_threads() {
+    return seconds_on(CLOCK_PROCESS_CPUTIME_ID) - seconds_on(CLOCK_THREAD_CPUTIME_ID);
+}
+
 // The picture is drawn once more, smoothed, when it has come to rest.
 bool comes_to_rest(const Paintings& paintings) {
     return testing::wait_for([&] {
@@ -75,14 +87,19 @@ class Idle : public testing::WindowTest {
     void expect_rest() {
         ASSERT_TRUE(testing::wait_for([this] { return window_.frame().statistics.resting; }));
         // A busy machine may write the last step's figures late, and a message of the status line
-        // goes after some seconds: each is painted once. What is painted again and again never lets
-        // such a spell pass.
+        // goes after some seconds: each is painted once. What is painted again every two seconds
+        // never lets such a spell pass, nor does a thread that works for nothing.
+        constexpr double idle_share = 0.02;  // of a core
         Paintings view(window_.view()), whole_window(window_);
         EXPECT_TRUE(testing::wait_for([&] {
             const std::uint64_t step = window_.frame().step;
             view.count = whole_window.count = 0;
-            turn_the_event_loop(1200);
-            return view.count == 0 && whole_window.count == 0 && window_.frame().step == step;
+            const double worked_s = seconds_of_other_threads();
+            const double began_s = seconds_on(CLOCK_MONOTONIC);
+            turn_the_event_loop(2400);
+            const double spell_s = seconds_on(CLOCK_MONOTONIC) - began_s;
+            return view.count == 0 && whole_window.count == 0 && window_.frame().step == step &&
+                   seconds_of_other_threads() - worked_s < idle_share * spell_s;
         }));
     }
 };

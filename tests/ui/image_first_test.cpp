@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A CT can be looked at while its vessels are looked for.
+#include <QTimer>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -22,6 +23,7 @@ class ImageFirst : public testing::WindowTest {
     ImageFirst()
         : WindowTest({[this](const OpenRequest& request, Job& job) {
                           request.image_read(std::make_shared<const Volume>(test::tube_ct()));
+                          read_ = true;
                           job.begin_stage("Finding the vessels");
                           while (!found_) {
                               job.throw_if_cancelled();
@@ -37,7 +39,7 @@ class ImageFirst : public testing::WindowTest {
         return !layout().slices().empty() && layout().slice_view(SliceDirection::axial).isVisible();
     }
 
-    std::atomic<bool> found_{false}, fails_{false};
+    std::atomic<bool> read_{false}, found_{false}, fails_{false};
 };
 
 TEST_F(ImageFirst, is_seen_until_the_patient_is_there) {
@@ -77,13 +79,24 @@ TEST_F(ImageFirst, goes_where_it_comes_to_nothing) {
 TEST_F(ImageFirst, does_not_come_beside_another_patient) {
     found_ = true;
     open_built_in();
-    found_ = false;
+    found_ = read_ = false;
+    const auto expect_no_slices = [this] {
+        EXPECT_FALSE(shows_slices());
+        EXPECT_FALSE(layout().slices_visible());
+        EXPECT_FALSE(window_.actions()[ActionId::toggle_slices].isChecked());
+    };
     window_.open(folder_.filePath("ct"));
-    ASSERT_TRUE(wait_for([&] { return window_.busy(); }));
-    paint();
-    EXPECT_FALSE(shows_slices());
+    // The image was handed over before: what is posted then comes behind it.
+    ASSERT_TRUE(wait_for([&] { return read_.load(); }));
+    bool handled = false;
+    QTimer::singleShot(0, &window_, [&handled] { handled = true; });
+    ASSERT_TRUE(wait_for([&] { return handled; }));
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(window_.busy());
+    expect_no_slices();
     found_ = true;
     wait();
+    expect_no_slices();
 }
 
 }  // namespace

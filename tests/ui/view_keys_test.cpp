@@ -118,15 +118,25 @@ TEST_F(ViewKeys, EnterTakesHoldArrowsPullAndEnterLetsGo) {
                   .dot(view().scene().axes().right),
               1.0);
     EXPECT_EQ(view().scene().axes().forward, before.forward) << "nothing turns meanwhile";
+    for (int i = 0; i < 5; ++i) press(Qt::Key_Left);  // this trunk stays where it was led
     press(Qt::Key_Return);
     EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
     EXPECT_FALSE(view().keys().leads());
-    press(Qt::Key_Return);
+    const auto take_hold_again = [this] {
+        paint();
+        aim_at_trunk();
+        press(Qt::Key_Return);
+        EXPECT_TRUE(view().keys().leads());
+        return commands_of_type<GrabPoint>().size();
+    };
+    ASSERT_EQ(take_hold_again(), 2u);
     press(Qt::Key_Escape);
-    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), commands_of_type<GrabPoint>().size());
-    press(Qt::Key_Return);
+    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 2u);
+    EXPECT_FALSE(view().keys().leads());
+    ASSERT_EQ(take_hold_again(), 3u);
     view().clearFocus();
-    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), commands_of_type<GrabPoint>().size());
+    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 3u);
+    EXPECT_FALSE(view().keys().leads());
 }
 
 TEST_F(ViewKeys, EnterDoesWhatAClickDoesInOtherModes) {
