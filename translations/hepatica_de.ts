@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>Table of &amp;branches</source>
-        <translation>Tabelle der Äst&amp;e</translation>
+        <translation>Tabelle der &amp;Äste</translation>
     </message>
     <message>
         <source>Length, radius, generation, system, liver segment and flow of every branch</source>
@@ -7211,7 +7211,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Open the vie&amp;w</source>
-        <translation>&amp;Ansicht aufschneiden</translation>
+        <translation>Ansicht aufschnei&amp;den</translation>
     </message>
     <message>
         <source>Open it l&amp;ess deep</source>
@@ -9470,7 +9470,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Colour b&amp;y stretch</source>
-        <translation>Farben nach De&amp;hnung</translation>
+        <translation>&amp;Farben nach Dehnung</translation>
     </message>
     <message>
         <source>There is a case “%1” already, of this patient or of another one. Replace it?</source>

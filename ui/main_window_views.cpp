@@ -42,6 +42,11 @@ void show_dock(QDockWidget& dock, bool visible) {
     if (visible) dock.raise();
 }
 
+// An entry of a short list, whose key in the menu is its number: names have no letter to spare.
+QString numbered(int number, const QString& name) {
+    return QString("&%1  %2").arg(number).arg(name);
+}
+
 }  // namespace
 
 // Behind the start page the view is empty: the keys go past it.
@@ -204,7 +209,7 @@ void MainWindow::show_as_first(VtkWidget& view) {
 }
 
 void MainWindow::connect_mouse_schemes() {
-    auto* menu = new QMenu(Words::tr("Mouse"), this);
+    auto* menu = new QMenu(Words::tr("Mous&e"), this);
     menu->setToolTipsVisible(true);
     auto* group = new QActionGroup(menu);
     const MouseScheme& now = mouse_scheme_named(settings_.mouse_scheme());
@@ -228,11 +233,12 @@ void MainWindow::connect_mouse_schemes() {
 }
 
 void MainWindow::connect_units() {
-    auto* menu = new QMenu(Words::tr("Units"), this);
+    int number = 0;
+    auto* menu = new QMenu(Words::tr("U&nits"), this);
     menu->setToolTipsVisible(true);
     auto* group = new QActionGroup(menu);
     for (const FlowUnits units : all_flow_units) {
-        QAction* action = group->addAction(choice_words(units));
+        QAction* action = group->addAction(numbered(++number, choice_words(units)));
         action->setObjectName("units_" + name_of(units));
         action->setToolTip(Words::tr("Of flows and pressures in the panels and curves"));
         action->setCheckable(true);
@@ -247,12 +253,14 @@ void MainWindow::connect_units() {
 
 // Widgets keep their language, so the window is made again.
 void MainWindow::connect_languages() {
+    int number = 0;
     auto* menu = new QMenu(Words::tr("Lang&uage"), this);
     auto* group = new QActionGroup(menu);
     for (const Language& language : languages()) {
         const QString code = language.code;
-        QAction* action = group->addAction(code.isEmpty() ? Words::tr(language.name)
-                                                          : QString::fromUtf8(language.name));
+        const QString name =
+            code.isEmpty() ? Words::tr(language.name) : QString::fromUtf8(language.name);
+        QAction* action = group->addAction(numbered(++number, name));
         action->setObjectName("language_" + code);
         action->setCheckable(true);
         action->setChecked(code == settings_.language());

@@ -24,7 +24,7 @@ void RecentMenu::fill() {
                   [this, path] { choose(path); });
     }
     addSeparator();
-    addAction(Words::tr("Clear"), this, [this] { settings_.clear_recent_files(); });
+    addAction(Words::tr("&Clear"), this, [this] { settings_.clear_recent_files(); });
 }
 
 void RecentMenu::choose(const QString& path) {

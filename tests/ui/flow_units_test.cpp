@@ -150,7 +150,7 @@ TEST_F(FlowUnitsInWindow, AreChosenInTheMenuToo) {
     auto& clinic = *window_.findChild<QAction*>("units_" + name_of(FlowUnits::clinic));
     auto& computed = *window_.findChild<QAction*>("units_" + name_of(FlowUnits::computed));
     auto* menu = static_cast<QMenu*>(clinic.associatedObjects().at(0));
-    EXPECT_EQ(menu->title(), "Units");
+    EXPECT_EQ(menu->title(), "U&nits");
     emit menu->aboutToShow();
     EXPECT_TRUE(computed.isChecked());
     clinic.trigger();
