@@ -181,6 +181,7 @@ constexpr std::array sentences_play{
     Words::id("nothing flows in this scene"),
     Words::id("nothing moves in this scene"),
     Words::id("command %1, field %2"),
+    Words::id("command %1, field %2 is %3; it must lie from %4 to %5"),
     Words::id("Correct the script or recording"),
     Words::id("\"%1\" is no command"),
     Words::id("has a value of the wrong kind (%1)"),
