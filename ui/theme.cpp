@@ -213,9 +213,12 @@ class Style : public QProxyStyle {
     }
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
-        // Rows of tables and lists take it for the room beside their text.
+        // Rows of tables and lists, and combo boxes, take it for the room beside their text.
         if (metric == PM_FocusFrameHMargin && qobject_cast<const QAbstractItemView*>(widget))
             return beside_text_px;
+        if (metric == PM_FocusFrameHMargin &&
+            qstyleoption_cast<const QStyleOptionComboBox*>(option))
+            return 1;
         if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return ring_px;
         return QProxyStyle::pixelMetric(metric, option, widget);
     }
