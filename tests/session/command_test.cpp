@@ -98,14 +98,16 @@ TEST(Command, RefusesANumberBeyondWhatABodyCanBe) {
             EXPECT_NE(words.find("1e+308; it must lie from "), std::string::npos) << words;
         }
     };
-    for (const Command& command : one_of_each())
-        for (const double far : {1e308, -1e308})
-            for (const auto& [field, value] : to_json(command).items()) {
-                Json json = to_json(command);
+    for (const Command& command : one_of_each()) {
+        const Json sound = to_json(command);
+        for (const auto& [field, value] : sound.items())
+            for (const double far : {1e308, -1e308}) {
+                Json json = sound;
                 if (value.is_number_float()) json[field] = far;
                 if (value.is_array()) json[field][1] = far;
                 if (value.is_number_float() || value.is_array()) expect_refused(json, field);
             }
+    }
     EXPECT_GT(refused, 60);
     EXPECT_NO_THROW(command_from_json(to_json(GrabPoint{Vec3(1e4, -1e4, 0.0)})));
     EXPECT_THROW(command_from_json(to_json(GrabPoint{Vec3(0.0, 0.0, 10001.0)})), InputError);
