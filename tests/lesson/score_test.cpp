@@ -133,12 +133,15 @@ TEST(Score, IsRefusedWhereThePlayWasAnother) {
     EXPECT_NO_THROW(score(*played.recording, finer, small_patient(), job));
     Recording changed = *played.recording;
     changed.steps[9].state_hash ^= 1;
+    int seen = 0;
     try {
-        score(changed, lesson, small_patient(), job);
+        score(changed, lesson, small_patient(), job, cpu_back_end(),
+              [&seen](const Frame&, const LessonStanding&) { ++seen; });
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("step 10"));
     }
+    EXPECT_EQ(seen, 10) << "what follows proves nothing, and is not waited for";
 }
 
 // What cannot be measured is the reason, not another processor.
