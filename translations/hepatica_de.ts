@@ -288,10 +288,6 @@
         <translation>Blick von den Füßen her</translation>
     </message>
     <message>
-        <source>Le&amp;gend and scale</source>
-        <translation>Le&amp;gende und Maßstab</translation>
-    </message>
-    <message>
         <source>Show legend, scale bar and orientation</source>
         <translation>Legende, Maßstabsbalken und Orientierung zeigen</translation>
     </message>
@@ -310,10 +306,6 @@
     <message>
         <source>Take away what lies in front of a plane across the line of sight</source>
         <translation>Wegnehmen, was vor einer Ebene quer zur Blickrichtung liegt</translation>
-    </message>
-    <message>
-        <source>Open it &amp;deeper</source>
-        <translation>Tie&amp;fer aufschneiden</translation>
     </message>
     <message>
         <source>Move that plane 2 mm away from where it was put</source>
@@ -346,10 +338,6 @@
     <message>
         <source>Show the curves of the last injection</source>
         <translation>Die Kurven der letzten Injektion zeigen</translation>
-    </message>
-    <message>
-        <source>Pa&amp;nels</source>
-        <translation>Be&amp;dienfelder</translation>
     </message>
     <message>
         <source>Show the panels beside the view</source>
@@ -913,10 +901,6 @@
     <message>
         <source>Lessons of the course</source>
         <translation>Lektionen des Kurses</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: %2 of %3 lessons passed</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 von %3 Lektionen bestanden</translation>
     </message>
     <message>
         <source>Curves</source>
@@ -2261,10 +2245,6 @@
         <translation>(fehlt)</translation>
     </message>
     <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Rückblick</translation>
     </message>
@@ -2938,10 +2918,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Embolisation</translation>
     </message>
     <message>
-        <source>Bring the tip of a probe near three places in turn, without pushing the vessels. Turning the view is part of doing it well, but is not scored: a recording holds what is done to the patient, not where somebody looks.</source>
-        <translation>Führen Sie die Spitze einer Sonde nacheinander an drei Orte heran, ohne die Gefäße wegzudrücken. Die Ansicht zu drehen gehört dazu, wird aber nicht bewertet: Eine Aufzeichnung enthält, was mit dem Patienten geschieht, nicht, wohin jemand blickt.</translation>
-    </message>
-    <message>
         <source>Take the probe and bring its tip near the first mark.</source>
         <translation>Nehmen Sie die Sonde, und führen Sie ihre Spitze an die erste Marke heran.</translation>
     </message>
@@ -3228,10 +3204,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>is not an object</source>
         <translation>ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>Give finite numbers</source>
-        <translation>Geben Sie endliche Zahlen an</translation>
     </message>
     <message>
         <source>Choose one of: %1</source>
@@ -5638,14 +5610,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nehmen Sie die Pinzette, um sie zu öffnen und zu schließen</translation>
     </message>
     <message>
-        <source>the point to hold is not finite</source>
-        <translation>der zu haltende Punkt ist nicht endlich</translation>
-    </message>
-    <message>
-        <source>the hand&apos;s position is not finite</source>
-        <translation>der Ort der Hand ist nicht endlich</translation>
-    </message>
-    <message>
         <source>vertex %1 does not exist</source>
         <translation>Ecke %1 existiert nicht</translation>
     </message>
@@ -5700,10 +5664,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Give two places on one system, on a vessel wide enough to have joints</source>
         <translation>Geben Sie zwei Orte auf einem System an, auf einem Gefäß, das weit genug für Verbindungen ist</translation>
-    </message>
-    <message>
-        <source>the point is not finite</source>
-        <translation>der Punkt ist nicht endlich</translation>
     </message>
     <message>
         <source>Give 0 s or more</source>
@@ -5816,10 +5776,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>is of a scene with other parts</source>
         <translation>gehört zu einer Szene mit anderen Teilen</translation>
-    </message>
-    <message>
-        <source>place on the tree</source>
-        <translation>Ort auf dem Baum</translation>
     </message>
     <message>
         <source>the stepper&apos;s bytes are not base64</source>
@@ -7198,10 +7154,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>S&amp;kalpell</translation>
     </message>
     <message>
-        <source>Tur&amp;n the tool back</source>
-        <translation>Werkzeug zurückdrehe&amp;n</translation>
-    </message>
-    <message>
         <source>Re&amp;set</source>
         <translation>Zur&amp;ücksetzen</translation>
     </message>
@@ -7212,14 +7164,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Open the vie&amp;w</source>
         <translation>Ansicht aufschnei&amp;den</translation>
-    </message>
-    <message>
-        <source>Open it l&amp;ess deep</source>
-        <translation>&amp;Weniger tief aufschneiden</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
     </message>
     <message>
         <source>H&amp;int</source>
@@ -8689,10 +8633,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist innerhalb seines NIfTI-2-Kopfes abgeschnitten</translation>
     </message>
     <message>
-        <source>The play is paused as it was when it was judged, and no tool is in hand. It goes on as soon as you do something.</source>
-        <translation>Die Übung ist angehalten, so wie sie beurteilt wurde; kein Werkzeug ist in der Hand. Sie geht weiter, sobald Sie etwas tun.</translation>
-    </message>
-    <message>
         <source>The lesson is judged: the tool is put away, and the wheel zooms</source>
         <translation>Die Lektion ist beurteilt: Das Werkzeug ist weggelegt, und das Rad zoomt</translation>
     </message>
@@ -9389,10 +9329,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Bestätigt: Sein System gilt von nun an als sicher (%1)</translation>
     </message>
     <message>
-        <source>Sounds</source>
-        <translation>Töne</translation>
-    </message>
-    <message>
         <source>Tones before something tears, when it tears or bleeds, when a step is reached, and at the verdict</source>
         <translation>Töne, bevor etwas reißt, wenn es reißt oder blutet, wenn ein Schritt erreicht ist, und beim Urteil</translation>
     </message>
@@ -9720,14 +9656,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Oben steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst; darunter, was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten. Ein Klick auf eine gestrichelte Linie übernimmt sie; im Modus Bearbeiten, wo ein Klick Gefäße korrigiert, wählt er sie nur in dieser Liste. Was gewählt ist, tritt in der Ansicht hervor und steht als Linie in den Schichten.</translation>
     </message>
     <message>
-        <source>✓ The course &quot;%1&quot; is passed: all of its lessons are.</source>
-        <translation>✓ Der Kurs „%1“ ist bestanden: Alle seine Lektionen sind es.</translation>
-    </message>
-    <message>
-        <source>This was the last lesson of the course &quot;%1&quot;: %2 of %3 are passed.</source>
-        <translation>Das war die letzte Lektion des Kurses „%1“: %2 von %3 sind bestanden.</translation>
-    </message>
-    <message>
         <source>The last lesson or recorded play was interrupted (%1). Its recording goes up to that moment. A lesson that was interrupted counts as no attempt.</source>
         <translation>Die letzte Lektion oder aufgezeichnete Übung wurde unterbrochen (%1). Ihre Aufzeichnung reicht bis dahin. Eine unterbrochene Lektion zählt nicht als Versuch.</translation>
     </message>
@@ -9837,6 +9765,299 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Drawing pictures</source>
         <translation>Bilder werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Turn the tool back</source>
+        <translation>Werkzeug zurückdrehen</translation>
+    </message>
+    <message>
+        <source>Sou&amp;nds</source>
+        <translation>T&amp;öne</translation>
+    </message>
+    <message>
+        <source>Legen&amp;d and scale</source>
+        <translation>Le&amp;gende und Maßstab</translation>
+    </message>
+    <message>
+        <source>Open it deeper</source>
+        <translation>Tiefer aufschneiden</translation>
+    </message>
+    <message>
+        <source>Open it less deep</source>
+        <translation>Weniger tief aufschneiden</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>passed earlier, before this course</source>
+        <translation>früher bestanden, vor diesem Kurs</translation>
+    </message>
+    <message>
+        <source>everybody here</source>
+        <translation>allen hier</translation>
+    </message>
+    <message>
+        <source>✓ The course &quot;%1&quot; is passed by %2: all of its lessons are.</source>
+        <translation>✓ Der Kurs „%1“ ist von %2 bestanden: Alle seine Lektionen sind es.</translation>
+    </message>
+    <message>
+        <source>This was the last lesson of the course &quot;%1&quot;: %2 of %3 are passed by %4.</source>
+        <translation>Das war die letzte Lektion des Kurses „%1“: %2 von %3 sind von %4 bestanden.</translation>
+    </message>
+    <message>
+        <source>Done with</source>
+        <translation>Womit</translation>
+    </message>
+    <message>
+        <source>The goal counts only while this tool is in hand</source>
+        <translation>Das Ziel zählt nur, solange dieses Werkzeug in der Hand ist</translation>
+    </message>
+    <message>
+        <source>whatever is in hand</source>
+        <translation>womit auch immer</translation>
+    </message>
+    <message>
+        <source>The play is paused as it was when it was judged, and what was in hand is put away. It goes on as soon as you do something.</source>
+        <translation>Das Spiel ist angehalten, wie es beim Urteil war, und was in der Hand war, ist weggelegt. Es geht weiter, sobald Sie etwas tun.</translation>
+    </message>
+    <message>
+        <source>This step is done with: %1</source>
+        <translation>Dieser Schritt wird hiermit ausgeführt: %1</translation>
+    </message>
+    <message>
+        <source>“%1” was not copied: it does not lie in the folder that is shown any more.</source>
+        <translation>„%1“ wurde nicht kopiert: Der Fall liegt nicht mehr im gezeigten Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another program, too (on the computer %2). Who saves last is asked before the other&apos;s work is replaced.</source>
+        <translation>%1 ist auch in einem anderen Programm offen (auf dem Rechner %2). Wer zuletzt speichert, wird gefragt, bevor die Arbeit des anderen ersetzt wird.</translation>
+    </message>
+    <message>
+        <source>Mous&amp;e</source>
+        <translation>M&amp;aus</translation>
+    </message>
+    <message>
+        <source>U&amp;nits</source>
+        <translation>&amp;Einheiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n correction(s) taken back; Redo makes them again. The Undo before them goes on: Cancel once more ends it, too</source>
+        <translation>
+            <numerusform>%n Korrektur zurückgenommen; Wiederholen macht sie erneut. Was davor rückgängig gemacht wurde, wird noch vernetzt: Nochmals Abbrechen beendet auch das</numerusform>
+            <numerusform>%n Korrekturen zurückgenommen; Wiederholen macht sie erneut. Was davor rückgängig gemacht wurde, wird noch vernetzt: Nochmals Abbrechen beendet auch das</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Cancelled: what was undone is there again. %n correction(s) made after that Undo cannot be made again</source>
+        <translation>
+            <numerusform>Abgebrochen: Was rückgängig gemacht war, ist wieder da. %n danach gemachte Korrektur lässt sich nicht wiederholen</numerusform>
+            <numerusform>Abgebrochen: Was rückgängig gemacht war, ist wieder da. %n danach gemachte Korrekturen lassen sich nicht wiederholen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was not there any more: it was saved anew</source>
+        <translation>%1 war nicht mehr da und wurde neu gespeichert</translation>
+    </message>
+    <message>
+        <source>Seeds and masks of the other CT were taken out.</source>
+        <translation>Startpunkte und Masken des anderen CT wurden herausgenommen.</translation>
+    </message>
+    <message>
+        <source>The present case was made with seeds, masks or a window. They are offered here once it is known where its CT lies: choose it in the slices (F7).</source>
+        <translation>Der gezeigte Fall wurde mit Startpunkten, Masken oder einem Fenster gemacht. Sie werden hier angeboten, sobald bekannt ist, wo sein CT liegt: in den Schichten auswählen (F7).</translation>
+    </message>
+    <message>
+        <source>a liver mask</source>
+        <translation>einer Lebermaske</translation>
+    </message>
+    <message>
+        <source>a vessel mask</source>
+        <translation>einer Gefäßmaske</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tumour mask(s)</source>
+        <translation>
+            <numerusform>%n Tumormaske</numerusform>
+            <numerusform>%n Tumormasken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The present case was made with %1, and it is not known where that lies. Choose it again, or the new case is without it.</source>
+        <translation>Der gezeigte Fall wurde mit %1 gemacht, und es ist nicht bekannt, wo das liegt. Neu auswählen, sonst fehlt es dem neuen Fall.</translation>
+    </message>
+    <message>
+        <source>%1 was changed on the disk since it was opened or saved here.</source>
+        <translation>%1 wurde auf dem Datenträger geändert, seit es hier geöffnet oder gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Another program or person has saved there. Replacing it loses what they have done; under another name both are kept.</source>
+        <translation>Ein anderes Programm oder jemand anderes hat dort gespeichert. Beim Ersetzen geht verloren, was dort getan wurde; unter anderem Namen bleibt beides erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Leeren</translation>
+    </message>
+    <message>
+        <source>Save its pictures…</source>
+        <translation>Seine Bilder speichern …</translation>
+    </message>
+    <message>
+        <source>Each picture of the film as a PNG file, in a folder</source>
+        <translation>Jedes Bild des Films als PNG-Datei, in einem Ordner</translation>
+    </message>
+    <message>
+        <source>The device&apos;s steps leave out tension, by which taut vessels resist being turned: they err more where a vessel is pulled</source>
+        <translation>Die Schritte der Grafikkarte lassen die Spannung aus, mit der straffe Gefäße sich gegen Drehung wehren: Wo an einem Gefäß gezogen wird, irren sie mehr</translation>
+    </message>
+    <message>
+        <source>Find three places with the tip of a probe, one after the other, without pushing the vessels, and stay at each for half a second. The mouse leads the tip across the picture, the wheel in depth. Turning the view helps to judge the depth, but is not scored: a recording holds what is done to the patient, not where somebody looks.</source>
+        <translation>Mit der Spitze einer Sonde nacheinander drei Orte finden, ohne die Gefäße zu verschieben, und an jedem eine halbe Sekunde bleiben. Die Maus führt die Spitze im Bild, das Mausrad in die Tiefe. Die Ansicht zu drehen hilft, die Tiefe zu beurteilen, wird aber nicht bewertet: Eine Aufzeichnung enthält, was am Patienten getan wird, nicht, wohin jemand sieht.</translation>
+    </message>
+    <message>
+        <source>cannot be written: the disk is full</source>
+        <translation>lässt sich nicht schreiben: Der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>is %1; it must lie from %2 to %3</source>
+        <translation>ist %1; erlaubt ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>is %1, not a time</source>
+        <translation>ist %1 und keine Zeit</translation>
+    </message>
+    <message>
+        <source>Write it as &quot;2026-11-23T13:20:05Z&quot;, or leave it out</source>
+        <translation>Als „2026-11-23T13:20:05Z“ schreiben oder weglassen</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not held in the hand</source>
+        <translation>ist „%1“ und wird nicht in der Hand gehalten</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which the lesson does not allow</source>
+        <translation>ist „%1“ und in der Lektion nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Name it under &quot;tools&quot;, too</source>
+        <translation>Auch unter „tools“ nennen</translation>
+    </message>
+    <message>
+        <source>%1 asks for the tool %2, which the lesson does not allow: allow it, or ask for none.</source>
+        <translation>%1 verlangt das Werkzeug %2, das die Lektion nicht erlaubt: erlauben oder keines verlangen.</translation>
+    </message>
+    <message>
+        <source>Forceps closed: they hold something</source>
+        <translation>Pinzette geschlossen: Sie hält etwas</translation>
+    </message>
+    <message>
+        <source>Forceps closed: they hold nothing</source>
+        <translation>Pinzette geschlossen: Sie hält nichts</translation>
+    </message>
+    <message>
+        <source>Forceps opened</source>
+        <translation>Pinzette geöffnet</translation>
+    </message>
+    <message>
+        <source>Slipped out of the forceps</source>
+        <translation>Aus der Pinzette gerutscht</translation>
+    </message>
+    <message>
+        <source>the point to hold</source>
+        <translation>der zu fassende Punkt</translation>
+    </message>
+    <message>
+        <source>the hand&apos;s position</source>
+        <translation>der Ort der Hand</translation>
+    </message>
+    <message>
+        <source>the point</source>
+        <translation>der Punkt</translation>
+    </message>
+    <message>
+        <source>is not within 10 m of the origin</source>
+        <translation>liegt nicht innerhalb von 10 m um den Ursprung</translation>
+    </message>
+    <message>
+        <source>Give numbers from -10000 to 10000 mm</source>
+        <translation>Zahlen von -10000 bis 10000 mm angeben</translation>
+    </message>
+    <message>
+        <source>command %1, field %2 is %3; it must lie from %4 to %5</source>
+        <translation>Befehl %1, Feld %2 ist %3; erlaubt ist %4 bis %5</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 mm, move away from you</source>
+        <translation>%1 mm, von sich weg führen</translation>
+    </message>
+    <message>
+        <source>%1 mm, move towards you</source>
+        <translation>%1 mm, zu sich her führen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside the mark: open with C</source>
+        <translation>%1 mm neben der Marke geschlossen: mit C öffnen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside the mark: open with C and move away from you</source>
+        <translation>%1 mm neben der Marke geschlossen: mit C öffnen und von sich weg führen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside the mark: open with C and move towards you</source>
+        <translation>%1 mm neben der Marke geschlossen: mit C öffnen und zu sich her führen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside mark %2: open with C</source>
+        <translation>%1 mm neben Marke %2 geschlossen: mit C öffnen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside mark %2: open with C and move away from you</source>
+        <translation>%1 mm neben Marke %2 geschlossen: mit C öffnen und von sich weg führen</translation>
+    </message>
+    <message>
+        <source>closed %1 mm beside mark %2: open with C and move towards you</source>
+        <translation>%1 mm neben Marke %2 geschlossen: mit C öffnen und zu sich her führen</translation>
+    </message>
+    <message>
+        <source>Seed at %1 HU: hardly a vessel with contrast. Delete takes it back</source>
+        <translation>Startpunkt bei %1 HU: kaum ein Gefäß mit Kontrastmittel. Entf nimmt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Seed far outside the liver. Delete takes it back</source>
+        <translation>Startpunkt weit außerhalb der Leber. Entf nimmt ihn zurück</translation>
+    </message>
+    <message>
+        <source>date unknown</source>
+        <translation>Datum unbekannt</translation>
+    </message>
+    <message>
+        <source>Ends the reading of the CT as a volume, and hides it</source>
+        <translation>Beendet das Lesen des CT als Volumen und blendet es aus</translation>
+    </message>
+    <message>
+        <source>Date unknown</source>
+        <translation>Datum unbekannt</translation>
+    </message>
+    <message>
+        <source>The recording is cut short: this is about what is left of it, which may not be the whole play.</source>
+        <translation>Die Aufzeichnung ist abgeschnitten: Dies gilt für das, was von ihr übrig ist, und das ist vielleicht nicht die ganze Übung.</translation>
+    </message>
+    <message>
+        <source>Nothing was played.</source>
+        <translation>Es wurde nichts geübt.</translation>
     </message>
 </context>
 </TS>

@@ -164,5 +164,26 @@
             <numerusform>%n corrections taken back; Redo makes them again</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n correction(s) taken back; Redo makes them again. The Undo before them goes on: Cancel once more ends it, too</source>
+        <translation>
+            <numerusform>%n correction taken back; Redo makes it again. The Undo before it goes on: Cancel once more ends it, too</numerusform>
+            <numerusform>%n corrections taken back; Redo makes them again. The Undo before them goes on: Cancel once more ends it, too</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Cancelled: what was undone is there again. %n correction(s) made after that Undo cannot be made again</source>
+        <translation>
+            <numerusform>Cancelled: what was undone is there again. %n correction made after that Undo cannot be made again</numerusform>
+            <numerusform>Cancelled: what was undone is there again. %n corrections made after that Undo cannot be made again</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tumour mask(s)</source>
+        <translation>
+            <numerusform>%n tumour mask</numerusform>
+            <numerusform>%n tumour masks</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>
