@@ -9824,7 +9824,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The play is paused as it was when it was judged, and what was in hand is put away. It goes on as soon as you do something.</source>
-        <translation>Das Spiel ist angehalten, wie es beim Urteil war, und was in der Hand war, ist weggelegt. Es geht weiter, sobald Sie etwas tun.</translation>
+        <translation>Die Übung ist angehalten, wie sie beim Urteil war, und was in der Hand war, ist weggelegt. Sie geht weiter, sobald Sie etwas tun.</translation>
     </message>
     <message>
         <source>This step is done with: %1</source>
@@ -10058,6 +10058,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Nothing was played.</source>
         <translation>Es wurde nichts geübt.</translation>
+    </message>
+    <message>
+        <source>Choose from pull, sphere, capsule, forceps, hook</source>
+        <translation>Aus pull, sphere, capsule, forceps, hook wählen</translation>
     </message>
 </context>
 </TS>

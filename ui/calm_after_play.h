@@ -17,9 +17,11 @@ class CalmAfterPlay {
         ended_ = true;
         began_ms_.reset();
     }
-    // Call with the time of each mouse event. Returns whether it is to have no effect: it follows
-    // on those from before the end of the play, less than lasts_ms after the first that did. Events
-    // without a time (0) always have their effect.
+    // A press is meant for what is seen, however soon it comes.
+    void pressed() { ended_ = false; }
+    // Call with the time of each other mouse event. Returns whether it is to have no effect: it
+    // follows on those from before the end of the play, less than lasts_ms after the first that
+    // did. Events without a time (0) always have their effect.
     bool swallows(std::uint64_t at_ms);
 
   private:

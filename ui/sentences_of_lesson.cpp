@@ -160,6 +160,7 @@ constexpr std::array sentences_lesson{
     Words::id("is \"%1\", which is no mark of this lesson"),
     Words::id("is \"%1\", which is no tool"),
     Words::id("is \"%1\", which is not held in the hand"),
+    Words::id("Choose from pull, sphere, capsule, forceps, hook"),
     Words::id("is \"%1\", which the lesson does not allow"),
     Words::id("Name it under \"tools\", too"),
     Words::id("is \"%1\", which is not measured"),

@@ -232,7 +232,7 @@ void VtkWidget::show_aim() {
 }
 
 void VtkWidget::mousePressEvent(QMouseEvent* event) {
-    if (calm_.swallows(event->timestamp())) return;
+    calm_.pressed();
     take_from_keys();
     mouse_->press(pixel_of(event->position()), button_of(*event), modifiers_of(*event));
     draw_again();

@@ -32,6 +32,8 @@ TEST(CalmAfterPlay, LetsPassWhatBeginsAfterwards) {
     calm.play_ended();
     EXPECT_FALSE(calm.swallows(0)) << "of an event that knows no time";
     EXPECT_TRUE(calm.swallows(10'600)) << "of another play";
+    calm.pressed();
+    EXPECT_FALSE(calm.swallows(10'610)) << "it belongs to the press";
 }
 
 class CalmInTheWindow : public testing::LessonWindowTest {

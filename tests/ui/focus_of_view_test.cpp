@@ -86,6 +86,7 @@ TEST_F(FocusInSight, that_comes_back_with_the_window_brings_no_panel_to_the_fron
     other->setWidget(new QWidget);
     window_.addDockWidget(Qt::RightDockWidgetArea, other);
     window_.tabifyDockWidget(behind, other);
+    other->show();
     other->raise();
     ASSERT_TRUE(QTest::qWaitFor([&] { return behind->visibleRegion().isEmpty(); }));
     QDialog dialog(&window_);

@@ -245,7 +245,7 @@ TEST_F(GermanWindow, HasItsLessonEditorWhollyOnTheScreen) {
 
 TEST_F(GermanWindow, SaysInItsToolBarWhatItsMenuSays) {
     EXPECT_EQ(window_.actions()[ActionId::reset].iconText(), "Zurücksetzen");
-    EXPECT_EQ(window_.actions()[ActionId::toggle_clip].text(), "&Ansicht aufschneiden");
+    EXPECT_EQ(window_.actions()[ActionId::toggle_clip].text(), "Ansicht aufschnei&den");
 }
 
 TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {
