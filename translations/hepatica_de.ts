@@ -10063,5 +10063,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Choose from pull, sphere, capsule, forceps, hook</source>
         <translation>Aus pull, sphere, capsule, forceps, hook wählen</translation>
     </message>
+    <message>
+        <source>The program ended without saving %1 (%2). What is shown is this case without that work.</source>
+        <translation>Das Programm endete, ohne %1 zu speichern (%2). Gezeigt wird dieser Fall ohne diese Arbeit.</translation>
+    </message>
 </context>
 </TS>

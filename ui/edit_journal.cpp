@@ -31,6 +31,7 @@ std::string line_of(const JournalBase& base) {
               {"case", base.place.string()},
               {"extracted", to_hex(base.extracted)}};
     if (!base.copy_of.empty()) json["copy_of"] = base.copy_of.string();
+    if (!base.digest.empty()) json["digest"] = base.digest;
     return json.dump() + "\n";
 }
 
@@ -41,6 +42,7 @@ JournalBase base_from(const Json& json) {
     const auto digits = json.at("extracted").get<std::string>();
     std::from_chars(digits.data(), digits.data() + digits.size(), base.extracted, 16);
     base.copy_of = json.value("copy_of", std::string());
+    base.digest = json.value("digest", std::string());
     return base;
 }
 

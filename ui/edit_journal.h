@@ -40,6 +40,8 @@ struct JournalBase {
     std::uint64_t extracted = 0;  // hash_of_extracted() of the patient
     // Of a copy: the case on disk whose unsaved work it holds; empty: none.
     std::filesystem::path copy_of{};
+    // digest_of_case() of the case on disk as it was opened or last saved; empty: not known.
+    std::string digest{};
     bool operator==(const JournalBase&) const = default;
 };
 

@@ -96,6 +96,9 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent)
     step_->setTextFormat(Qt::PlainText);
     tool_ = add_label(*column, "lessonStepTool");
     tool_->setTextFormat(Qt::PlainText);
+    QFont bold = tool_->font();  // it says why a goal that is met does not count
+    bold.setBold(true);
+    tool_->setFont(bold);
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
     hold_->setObjectName("lessonHold");

@@ -234,6 +234,7 @@ class MainWindow : public QMainWindow {
     void offer_unsaved_work();
     void offer_unsaved_lesson();
     void open_unsaved_work();
+    void tell_unsaved_work_of_case();
     // Shows the play that waits for unsaved work to be opened, if it is.
     void look_back_when_opened();
     void connect_unsaved_work();

@@ -250,6 +250,21 @@ void MainWindow::offer_unsaved_work() {
     });
 }
 
+// Who opens a case after a crash may not think of File > Open unsaved work.
+void MainWindow::tell_unsaved_work_of_case() {
+    const std::filesystem::path& folder = workspace().folder();
+    if (folder.empty() || !workspace().kept_copy().empty()) return;
+    for (const std::filesystem::path& left : recovery_->left_behind()) {
+        const UnsavedWork work = Recovery::unsaved_work(left);
+        if (Recovery::case_of(left) != folder && work.request.reconstruct.ct != folder) continue;
+        return messages_->show_notice(
+            Words::tr("The program ended without saving %1 (%2). What is shown is this case "
+                      "without that work.")
+                .arg(translated(work.title), date_words(QFileInfo(to_text(left)).lastModified())),
+            Words::tr("Open it"), [this, request = work.request] { open(request); });
+    }
+}
+
 void MainWindow::open_unsaved_work() {
     try {
         const auto left = recovery_->left_behind();

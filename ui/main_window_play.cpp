@@ -86,6 +86,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     show_warnings(corrected);
     tell_lost_diameters(lost, said_before);
     if (!corrected) tell_packed_lessons();
+    if (!corrected)
+        attempt(Words::tr("Open the unsaved work"), [this] { tell_unsaved_work_of_case(); });
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().home(),

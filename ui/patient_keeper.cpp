@@ -142,7 +142,10 @@ void PatientKeeper::arrived(const OpenRequest& request,
         if (!loaded->folder.empty()) workspace_.set_digest(digest);
         workspace_.set_recovered(Recovery::case_of(loaded->kept_copy));
         // Before the edits there is nothing of him worth keeping, so they come first.
-        if (request.left_edits) workspace_.take_up(*request.left_edits);
+        if (request.left_edits) {
+            workspace_.take_up(*request.left_edits);
+            workspace_.set_digest(request.left_edits->digest);
+        }
         screen_.show(std::move(*loaded), false);
         correct();
     };

@@ -30,14 +30,14 @@ void PatientKeeper::add_saving(const Saving& saving) {
 }
 
 BackgroundJob::Work PatientKeeper::writing(const Saving& saving) {
-    const bool at_home = saving.folder == workspace_.folder();
     // Another place was agreed to when it was chosen.
-    const std::string known = saving.replaces.value_or(at_home ? workspace_.digest() : "");
-    return [this, saving, known, patient = workspace_.patient(), edits = workspace_.made_edits(),
-            measured = workspace_.measured(),
+    const bool compares = saving.replaces || saving.folder == workspace_.home();
+    const std::string known = saving.replaces.value_or(workspace_.digest());
+    return [this, saving, compares, known, patient = workspace_.patient(),
+            edits = workspace_.made_edits(), measured = workspace_.measured(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
-        const std::string found = known.empty() ? known : ways_.digest(saving.folder);
+        const std::string found = compares ? ways_.digest(saving.folder) : known;
         if (!found.empty() && found != known)
             return [this, changed = Saving{saving.folder, saving.written, found}] {
                 ask_about_changed(changed);
@@ -45,7 +45,7 @@ BackgroundJob::Work PatientKeeper::writing(const Saving& saving) {
         PatientCase whole = whole_case(*patient, voxels, edits, job);
         whole.measured = measured;
         ways_.save(saving.folder, whole);
-        const bool anew = found != known;
+        const bool anew = compares && found.empty();
         return [this, saving, anew, edits = whole.corrections.edits, measured,
                 digest = ways_.digest(saving.folder)] {
             workspace_.saved(saving.folder, edits, measured);

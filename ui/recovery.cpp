@@ -210,7 +210,7 @@ Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
     const bool built_in =
         workspace.title() == built_in_title && workspace.folder().empty() && !workspace.remade();
     return {{{workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient()),
-              workspace.home()},
+              workspace.home(), workspace.digest()},
              workspace.edits(),
              workspace.strokes(),
              workspace.version(),
@@ -394,8 +394,8 @@ UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     work.request.reconstruct.ct = base_of(*noted, left);
     work.request.built_in = work.request.reconstruct.ct.empty();
     work.request.unsaved_copy = noted->base.place == copy_beside;
-    work.request.left_edits =
-        LeftEdits{noted->edits, noted->strokes, noted->base.extracted, left, noted->measured};
+    work.request.left_edits = LeftEdits{noted->edits, noted->strokes,  noted->base.extracted,
+                                        left,         noted->measured, noted->base.digest};
     return work;
 }
 

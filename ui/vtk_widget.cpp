@@ -239,7 +239,7 @@ void VtkWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
-    if (calm_.swallows(event->timestamp())) return;
+    if (event->buttons() != Qt::NoButton && calm_.swallows(event->timestamp())) return;
     // A mouse movement does not end a pull by keys; a tool follows the mouse again.
     if (keys_->leads() && mouse_->mode() != MouseMode::tool) return;
     if (mouse_->mode() == MouseMode::tool) take_from_keys();
@@ -283,6 +283,7 @@ bool VtkWidget::event(QEvent* event) {
 
 void VtkWidget::keyPressEvent(QKeyEvent* event) {
     const std::optional<ViewKey> key = view_key_of(*event);
+    if (key && *key != ViewKey::enter && calm_.swallows(event->timestamp())) return;
     const MouseModifiers modifiers = modifiers_of(*event);
     const bool enter = key == ViewKey::enter;
     // Ctrl + Enter is the only key with Ctrl.

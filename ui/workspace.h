@@ -48,7 +48,8 @@ class Workspace {
     // The case on disk that he belongs to: folder(), or the one whose unsaved work was recovered;
     // empty: none.
     const std::filesystem::path& home() const { return folder_.empty() ? recovered_ : folder_; }
-    // digest_of_case() of folder() as it was opened or last saved here; empty: not known.
+    // digest_of_case() of home() as it was opened or last saved, here or by the program whose
+    // unsaved work this is; empty: not known.
     const std::string& digest() const { return digest_; }
     void set_digest(std::string digest) { digest_ = std::move(digest); }
     // His unsaved work is that of this case; empty: of none.

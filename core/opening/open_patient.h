@@ -27,6 +27,8 @@ struct LeftEdits {
     std::filesystem::path file{};        // the file that holds them
     // The whole list; replaces that of the case. nullopt: those of the case hold.
     std::optional<std::vector<KeptMeasurement>> measured{};
+    // digest_of_case() of the case that they were made on, as it was then; empty: not known.
+    std::string digest{};
 };
 
 struct OpenRequest {

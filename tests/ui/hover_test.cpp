@@ -99,7 +99,7 @@ TEST_F(Hover, follows_the_mouse_along_one_branch) {
 // Whoever followed a warning to a branch still sees it after the mouse has passed over others.
 TEST_F(Hover, gives_way_to_the_branch_that_was_chosen_in_the_table) {
     // Beside the centreline, where the line of a chosen branch lies.
-    const Vec3 below(2.5, 0, -55), above(0, 0, -25);
+    const Vec3 below(3, 0, -55), above(0, 0, -25);
     const Vec3 dark = colour_at(below);
     window_.messages().show_notice("Branch 1 is an end");
     emit window_.messages().findChild<QLabel*>()->linkActivated("branch:1");

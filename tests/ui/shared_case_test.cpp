@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTimer>
 
@@ -11,6 +12,7 @@
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/case_lock.h"
+#include "ui/edit_journal.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/questions.h"
@@ -64,6 +66,31 @@ TEST_F(SharedCase, SaysThatAnotherProgramHasItOpen) {
     open_case();
     EXPECT_TRUE(window_.messages().text().contains("a.hep is open in another program, too"))
         << window_.messages().text().toStdString();
+}
+
+// A program that died has left work on it; who opens the case himself is told, too.
+TEST_F(SharedCase, SaysThatWorkOnItWasLeftUnsaved) {
+    const fs::path left = to_path(settings_.recovery_folder()) / "left";
+    fs::create_directories(left);
+    Journalled work{.base = {"a.hep", place_, hash_of_extracted(read_case(place_))}, .change = 1};
+    work.measured = {{.points_mm = {Vec3(1, 2, 3), Vec3(4, 5, 6)}}};
+    {
+        EditJournal journal(left / "edits.jsonl");
+        journal.append(work);
+    }
+    open_case();
+    EXPECT_TRUE(window_.messages().text().contains("without that work"))
+        << window_.messages().text().toStdString();
+    EXPECT_FALSE(window_.isWindowModified());
+    auto* offer = window_.messages().findChild<QPushButton*>("offer");
+    ASSERT_EQ(offer->text(), "Open it");
+    offer->click();
+    EXPECT_TRUE(wait_for([this] { return window_.isWindowModified(); }));
+    EXPECT_FALSE(window_.messages().text().contains("without that work"));
+    // The digest of the case as it was then is not known, so that it may have been changed.
+    wait();
+    save();
+    EXPECT_EQ(changed_asked_, 1);
 }
 
 TEST_F(SharedCase, IsReplacedOnlyAfterAQuestion) {

@@ -97,6 +97,25 @@ TEST_F(ChangedOnDisk, is_known_once_it_is_opened_anew) {
     EXPECT_EQ(ward.changed_asked.size(), 1u) << "also of one that was opened";
 }
 
+// Unsaved work of a program that died, on what the other has saved since.
+TEST_F(ChangedOnDisk, is_asked_about_where_work_on_what_was_there_before_is_taken_up) {
+    ward.answer = UnsavedAnswer::discard;
+    for (const std::string& known :
+         {ward.digest("a.hep"), std::string("of what was there"), std::string()}) {
+        ward.changed_asked.clear();
+        const bool same = known == ward.digest("a.hep");
+        OpenRequest request;
+        request.reconstruct.ct = FakeWard::path_of("a.hep");
+        request.left_edits = LeftEdits{{edit(1), edit(2)}, {}, 0, "edits.jsonl", {}, known};
+        ward.keeper().open(request);
+        ASSERT_TRUE(ward.finish());
+        save_with(ChangedAnswer::cancel);
+        EXPECT_EQ(ward.changed_asked.size(), same ? 0u : 1u) << known;
+        EXPECT_EQ(ward.on_disk("a.hep"), same ? (Numbers{1, 2}) : Numbers{5}) << known;
+        ward.save_by_another("a.hep", {edit(5)});
+    }
+}
+
 TEST_F(ChangedOnDisk, is_not_asked_about_where_the_work_is_saved_elsewhere) {
     save_as("b.hep");
     ASSERT_TRUE(ward.finish());

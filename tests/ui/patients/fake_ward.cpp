@@ -101,6 +101,16 @@ void FakeWard::open_built_in() {
     keeper_->open(OpenRequest{true, {}});
 }
 
+std::string FakeWard::digest(const std::string& name) const {
+    return digest_at(path_of(name));
+}
+
+std::string FakeWard::digest_at(const std::filesystem::path& place) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = disk_.find(place);
+    return found == disk_.end() ? "" : "of " + edits_to_json(found->second.corrections.edits);
+}
+
 bool FakeWard::disk_holds(const std::string& name) const {
     const std::lock_guard lock(mutex_);
     return disk_.contains(path_of(name));
@@ -177,11 +187,7 @@ PatientKeeper::Ways FakeWard::ways() {
         const std::lock_guard lock(mutex_);
         disk_[folder] = patient;
     };
-    ways.digest = [this](const std::filesystem::path& place) -> std::string {
-        const std::lock_guard lock(mutex_);
-        const auto found = disk_.find(place);
-        return found == disk_.end() ? "" : "of " + edits_to_json(found->second.corrections.edits);
-    };
+    ways.digest = [this](const std::filesystem::path& place) { return digest_at(place); };
     ways.correct = [this](const PatientCase& patient, const std::vector<TreeEdit>& edits,
                           Job& job) {
         ++corrections_begun;

@@ -43,6 +43,7 @@ class FakeWard {
     std::vector<int> on_disk(const std::string& name) const;
     std::vector<TreeEdit> edits_on_disk(const std::string& name) const;
     bool disk_holds(const std::string& name) const;
+    std::string digest(const std::string& name) const;  // empty: not on the disk
     // As another program would.
     void save_by_another(const std::string& name, const std::vector<TreeEdit>& edits);
     void remove_by_another(const std::string& name);
@@ -91,6 +92,7 @@ class FakeWard {
     PatientKeeper::Ways ways();
     void hold(const std::atomic<bool>& held, Job& job) const;
     LoadedPatient load(const OpenRequest& request, Job& job);
+    std::string digest_at(const std::filesystem::path& place) const;
 
     mutable std::mutex mutex_;
     std::map<std::filesystem::path, PatientCase> disk_;
