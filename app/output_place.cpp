@@ -131,6 +131,11 @@ void require_same_patient_at(const fs::path& place, const PatientCase& patient, 
                      "Give --out another name, or --replace if that one is to go");
 }
 
+bool is_in_place(const fs::path& out, const fs::path& place) {
+    std::error_code not_there;
+    return out.empty() || fs::equivalent(out, place, not_there);
+}
+
 void require_as_read(const fs::path& place, const std::string& digest) {
     if (digest_of_case(place) == digest) return;
     throw InputError("was changed by another program since it was read; nothing is written",

@@ -57,6 +57,9 @@ inline constexpr const char* replace_help =
 void require_same_patient_at(const std::filesystem::path& place, const PatientCase& patient,
                              bool may_replace);
 
+// Whether what is written to `out`, empty for the place itself, replaces the case at `place`.
+bool is_in_place(const std::filesystem::path& out, const std::filesystem::path& place);
+
 // Throws InputError where the case at `place` is not the one any more that was read there, by its
 // digest_of_case() of before the reading: another program has saved in between.
 void require_as_read(const std::filesystem::path& place, const std::string& digest);

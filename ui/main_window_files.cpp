@@ -257,11 +257,19 @@ void MainWindow::tell_unsaved_work_of_case() {
     for (const std::filesystem::path& left : recovery_->left_behind()) {
         const UnsavedWork work = Recovery::unsaved_work(left);
         if (Recovery::case_of(left) != folder && work.request.reconstruct.ct != folder) continue;
-        return messages_->show_notice(
-            Words::tr("The program ended without saving %1 (%2). What is shown is this case "
-                      "without that work.")
-                .arg(translated(work.title), date_words(QFileInfo(to_text(left)).lastModified())),
-            Words::tr("Open it"), [this, request = work.request] { open(request); });
+        const QString text =
+            Words::tr(
+                "The program ended without saving %1 (%2). What is shown is this case "
+                "without that work.")
+                .arg(translated(work.title), date_words(QFileInfo(to_text(left)).lastModified()));
+        const auto act = [this, request = work.request] { open(request); };
+        if (messages_->text().isEmpty())
+            return messages_->show_notice(text, Words::tr("Open it"), act);
+        const bool warns = messages_->text() == warnings_text_;
+        messages_->put_before(text);
+        messages_->offer_also(Words::tr("Open it"), act);
+        if (warns) warnings_text_ = messages_->text();
+        return;
     }
 }
 

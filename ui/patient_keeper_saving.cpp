@@ -30,20 +30,21 @@ void PatientKeeper::add_saving(const Saving& saving) {
 }
 
 BackgroundJob::Work PatientKeeper::writing(const Saving& saving) {
-    // Another place was agreed to when it was chosen.
+    // Compared at home only: for another place the dialog has asked already.
     const bool compares = saving.replaces || saving.folder == workspace_.home();
     const std::string known = saving.replaces.value_or(workspace_.digest());
     return [this, saving, compares, known, patient = workspace_.patient(),
             edits = workspace_.made_edits(), measured = workspace_.measured(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
+        PatientCase whole = whole_case(*patient, voxels, edits, job);
+        whole.measured = measured;
+        // As late as possible: what is saved there between this and the end of the writing is lost.
         const std::string found = compares ? ways_.digest(saving.folder) : known;
         if (!found.empty() && found != known)
             return [this, changed = Saving{saving.folder, saving.written, found}] {
                 ask_about_changed(changed);
             };
-        PatientCase whole = whole_case(*patient, voxels, edits, job);
-        whole.measured = measured;
         ways_.save(saving.folder, whole);
         const bool anew = compares && found.empty();
         return [this, saving, anew, edits = whole.corrections.edits, measured,

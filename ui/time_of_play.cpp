@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/time_of_play.h"
 
-#include "core/base/error.h"
 #include "core/lesson/attempts.h"
 #include "core/session/recording_file.h"
 #include "ui/date_words.h"
@@ -9,20 +8,8 @@
 
 namespace hepatica {
 
-namespace {
-
-std::string played_at_in_header(const std::filesystem::path& recording) {
-    try {
-        return read_recording(recording, RecordingPart::header).played_at;
-    } catch (const InputError&) {
-        return {};  // it is told when the recording is opened
-    }
-}
-
-}  // namespace
-
 QDateTime time_of_play(const std::filesystem::path& recording) {
-    const std::string in_header = played_at_in_header(recording);
+    const std::string in_header = played_at_in(recording);
     const std::string utc = in_header.empty() ? ended_at_beside(recording) : in_header;
     return QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
 }

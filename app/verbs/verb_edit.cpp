@@ -298,7 +298,7 @@ Json run_edit(const EditChoices& options, Job& job) {
     if (!options.list) {
         patient = corrected(options, std::move(patient), job);
         job.begin_stage("Writing the case");
-        if (options.out.empty()) require_as_read(options.patient, digest);
+        if (is_in_place(options.out, options.patient)) require_as_read(options.patient, digest);
         write_case_in_job(options.out.empty() ? options.patient : options.out, patient, job);
     }
     Json answer;

@@ -135,7 +135,7 @@ Json run_remake(const RemakeChoices& options, Job& job) {
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
     job.begin_stage("Writing the case");
-    if (options.out.empty()) require_as_read(options.patient, digest);
+    if (is_in_place(options.out, options.patient)) require_as_read(options.patient, digest);
     write_case_in_job(out, made.patient, job);
     Json answer;
     answer["case"] = out.string();

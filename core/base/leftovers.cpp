@@ -11,9 +11,12 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <fstream>
+#include <optional>
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/base/hash.h"
@@ -28,14 +31,18 @@ constexpr std::string_view name_beginning = ".hepatica-";
 constexpr std::string_view aside_ending = ".old";
 constexpr std::chrono::days long_ago{7};
 
-// Of this computer, and of the container in it that numbers its processes by itself.
+// Of this computer since it was started, and of the container in it that numbers its processes by
+// itself. Computers may share a name.
 std::string this_computer() {
     std::array<char, 256> name{};
     gethostname(name.data(), name.size() - 1);
     std::error_code ignored;
     const std::string numbering = fs::read_symlink("/proc/self/ns/pid", ignored).string();
+    std::string start;
+    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), start);
     Hasher hasher;
     hasher.add_bytes(name.data(), name.size());
+    hasher.add_bytes(start.data(), start.size());
     hasher.add_bytes(numbering.data(), numbering.size());
     return to_hex(hasher.value()).substr(0, 8);
 }
@@ -60,17 +67,26 @@ std::string_view take_part(std::string_view& text) {
     return part;
 }
 
-Leftover leftover_at(const fs::path& path) {
+bool is_number(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// Nothing for a name that no writer gives, and for what was moved aside: where its writer died
+// between two renames it is the only copy.
+std::optional<Leftover> leftover_at(const fs::path& path) {
     const std::string name = path.filename().string();
+    if (!name.starts_with(name_beginning) || name.ends_with(aside_ending)) return std::nullopt;
     Leftover left{path};
     std::string_view rest = std::string_view(name).substr(name_beginning.size());
     const std::string_view writer = take_part(rest);
+    std::string_view number = writer;
     if (const std::size_t dot = writer.find('.'); dot != std::string_view::npos) {
-        take_part(rest);
+        if (!is_number(writer.substr(0, dot))) return std::nullopt;
+        number = take_part(rest);
         if (writer.substr(dot + 1) == this_computer())
             std::from_chars(writer.data(), writer.data() + dot, left.process);
     }
-    if (rest.ends_with(aside_ending)) rest.remove_suffix(aside_ending.size());
+    if (!is_number(number) || rest.empty()) return std::nullopt;
     left.tail = rest;
     return left;
 }
@@ -113,8 +129,7 @@ void sweep_leftovers(const fs::path& written,
     std::vector<Leftover> found;
     for (fs::directory_iterator at(folder, ignored), end; !ignored && at != end;
          at.increment(ignored))
-        if (at->path().filename().string().starts_with(name_beginning))
-            found.push_back(leftover_at(at->path()));
+        if (auto left = leftover_at(at->path())) found.push_back(std::move(*left));
     for (const Leftover& left : found) {
         const fs::file_type type = fs::symlink_status(left.path, ignored).type();
         const bool same = left.tail == tail_of(written);

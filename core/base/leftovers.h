@@ -17,9 +17,10 @@ std::string temporary_name(const std::filesystem::path& target);
 // To be called once `written` is there whole. Removes beside it what dead writers of it left, and
 // files that they left of other targets, if those are there, too: else it may be the only copy. Of
 // a folder only files go for which is_own(path below it) is true, and the folder once it is empty:
-// files of others may have been on their way back from it. Dead is a process of this computer that
-// has ended; of another computer, and of older programs, what has not changed for a week. Errors
-// are ignored. Thread-safe.
+// a killed writer may not have moved files of others back into the target yet. What a writer has
+// moved aside stays. Dead is a process of this computer that has ended; of another computer, from
+// before this one was started, and of older programs, what has not changed for a week. Errors are
+// ignored. Thread-safe.
 void sweep_leftovers(const std::filesystem::path& written,
                      const std::function<bool(const std::filesystem::path& below)>& is_own);
 

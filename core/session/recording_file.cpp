@@ -243,4 +243,13 @@ Recording read_recording(const std::filesystem::path& file, RecordingPart part,
     return recording;
 }
 
+std::string played_at_in(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    const Json json = Json::parse(line, nullptr, false);
+    const auto at = json.is_object() ? json.find("played_at") : json.end();
+    return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
+}
+
 }  // namespace hepatica

@@ -55,6 +55,10 @@ class RecordingWriter {
 // Writes a whole recording. Throws InputError where it cannot be written.
 void write_recording(const std::filesystem::path& file, const Recording& recording);
 
+// When it was played, see Recording::played_at, whichever version wrote it; empty: it does not say,
+// or is no recording.
+std::string played_at_in(const std::filesystem::path& file);
+
 // What is read of a recording.
 enum class RecordingPart {
     header,    // without steps

@@ -247,6 +247,11 @@ TEST_F(OutputPlace, ACaseIsChangedInPlaceOnlyAsItWasRead) {
     write_case(path("shared.hep"), read_case(path("p.hep")));
     const std::string digest = digest_of_case(path("shared.hep"));
     EXPECT_NO_THROW(require_as_read(path("shared.hep"), digest));
+    for (const fs::path& out :
+         {fs::path(), fs::path(path("shared.hep")), fs::path(path("p.hep/../shared.hep"))})
+        EXPECT_TRUE(is_in_place(out, path("shared.hep"))) << out;
+    for (const char* out : {"p.hep", "new.hep"})
+        EXPECT_FALSE(is_in_place(path(out), path("shared.hep"))) << out;
     PatientCase changed = read_case(path("p.hep"));
     changed.measured.push_back({.points_mm = {Vec3(1, 2, 3), Vec3(4, 5, 6)}});
     write_case(path("shared.hep"), changed);

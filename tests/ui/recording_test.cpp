@@ -133,6 +133,20 @@ TEST(TimeOfPlay, IsThatOfTheHeaderOrOfTheResultBesideItOrUnknown) {
     EXPECT_FALSE(time_of_play(folder.path() / "none.hrec").isValid());
 }
 
+TEST(TimeOfPlay, IsKnownOfARecordingOfAnotherVersion) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "old.hrec";
+    std::ofstream(file) << R"({"format": "hepatica-recording", "version": 1, "program": "9.9.9",
+        "played_at": "2026-11-28T12:00:00Z"})";
+    EXPECT_FALSE(time_of_play(file).isValid()) << "the header is one line";
+    std::ofstream(file) << R"({"format": "hepatica-recording", "version": 1, "program": "9.9.9", )"
+                        << R"("played_at": "2026-11-28T12:00:00Z"})"
+                        << "\n";
+    EXPECT_EQ(time_of_play(file).toUTC().toString(Qt::ISODate), "2026-11-28T12:00:00Z");
+    std::ofstream(file) << R"({"played_at": 5})";
+    EXPECT_FALSE(time_of_play(file).isValid());
+}
+
 TEST_F(RecordedWindow, the_recording_ends_with_the_patient) {
     open_built_in();
     record().trigger();

@@ -72,7 +72,9 @@ TEST_F(SharedCase, SaysThatAnotherProgramHasItOpen) {
 TEST_F(SharedCase, SaysThatWorkOnItWasLeftUnsaved) {
     const fs::path left = to_path(settings_.recovery_folder()) / "left";
     fs::create_directories(left);
-    Journalled work{.base = {"a.hep", place_, hash_of_extracted(read_case(place_))}, .change = 1};
+    Journalled work;
+    work.base = {"a.hep", place_, hash_of_extracted(read_case(place_))};
+    work.change = 1;
     work.measured = {{.points_mm = {Vec3(1, 2, 3), Vec3(4, 5, 6)}}};
     {
         EditJournal journal(left / "edits.jsonl");

@@ -79,6 +79,8 @@ TEST_F(LockOfCase, NeedsNoFolderThatCanBeWritten) {
     fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_EQ(first_.follow(place_), std::nullopt);
     fs::permissions(folder_, fs::perms::owner_all);
+    EXPECT_EQ(first_.follow(place_), std::nullopt);
+    EXPECT_TRUE(fs::exists(file_)) << "it is tried again";
 }
 
 }  // namespace
