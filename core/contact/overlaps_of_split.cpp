@@ -135,7 +135,8 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
             return holds(before.buried, former, old_piece[piece]);
         });
     };
-    // A part of a patch that lay in a piece may pass through its wall without a vertex inside.
+    // A part of a patch that lay in a piece may pass through its wall without a vertex inside: it
+    // stays left out while it is near.
     const auto were_left_out = [&](int p, int q) {
         return touched(before.touching, origins[p], origins[q]) || was_buried(p, piece_of(q)) ||
                was_buried(q, piece_of(p));
