@@ -7,6 +7,7 @@
 #include <QStatusBar>
 #include <fstream>
 
+#include "core/patient/case_digest.h"
 #include "core/patient/patient_case.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
@@ -228,6 +229,7 @@ TEST_F(KeptMeasurements, ThatAnEarlierRunLeftInItsJournalAreShown) {
     request.left_edits->extracted = hash_of_extracted(*window_.workspace().patient());
     request.left_edits->file = to_path(folder_.filePath("left/edits.jsonl"));
     request.left_edits->measured = left;
+    request.left_edits->digest = digest_of_case(request.reconstruct.ct);
     window_.open(request);
     wait();
     ASSERT_EQ(made().size(), 1u);
