@@ -146,7 +146,7 @@ TEST_F(Tour, AScanWithScatteredHolesIsReconstructedLikeTheWholeOne) {
     write_nifti(path("holed.nii.gz"), holed);
     const auto reconstructed = [](const std::string& scan) {
         return answer({"reconstruct", path(scan), "--liver-mask", path("p/liver.nii.gz"), "--out",
-                       path("holed.hep"), "--tetrahedra", "3000"});
+                       path("holed.hep"), "--tetrahedra", "3000", "--replace"});
     };
     const Json whole = reconstructed("p/ct.nii.gz"), mended = reconstructed("holed.nii.gz");
     const double length_mm = whole["tree"]["length_mm"];
