@@ -267,6 +267,7 @@ TEST_F(MarksAndMeasures, jaws_are_led_by_their_middle_until_they_close_and_say_w
     forceps.closing = false;
     forceps.grip_un = 0.0;
     forceps.parts.pop_back();
+    view_.show(frame);
     EXPECT_EQ(said(deeper), "");
 }
 

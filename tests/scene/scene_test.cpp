@@ -173,7 +173,7 @@ TEST(DeformPart, TheHandPullsInProportionToItsWayAndNotAtAllWhereItTookHold) {
     EXPECT_FALSE(part.grab_view()->at_limit);
     const Vec3 from = part.grab_view()->point_mm;
     std::vector<double> force;
-    for (const double way_mm : {0.001, 0.002, 1e6}) {
+    for (const double way_mm : {0.001, 0.002, 9e3}) {
         part.move_grab(from + Vec3(0, way_mm, 0));
         EXPECT_LT((part.grab_view()->point_mm - from).norm(), 1e-9) << "nothing has moved yet";
         force.push_back(part.grab_view()->force_un);
