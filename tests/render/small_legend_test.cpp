@@ -280,5 +280,50 @@ TEST(SmallLegend, LiesBesideTheOrientationCubeOrAboveIt) {
     EXPECT_TRUE(box.left >= cube || box.bottom >= cube) << box.left << " " << box.bottom;
 }
 
+// A quarter of a small window: what matters most is explained, and half of the picture stays free.
+TEST(LegendPicture, LeavesOutWhatMattersLeastWhereThereIsNoRoom) {
+    constexpr int width = 430, height = 330;
+    OsmesaContext context{width, height};
+    SceneView view(context.window());
+    Frame frame = fake_frame();
+    const std::size_t count = frame.positions_mm.size() / 3;
+    std::vector<VascularSystem> systems(count, VascularSystem::portal);
+    systems[0] = VascularSystem::hepatic;
+    systems[1] = VascularSystem::artery;
+    frame.drug.arrival_s = std::make_shared<const std::vector<float>>(count, 90.0f);
+    frame.drug.end_s = 100.0;
+    frame.drug.time_s = 1.0;
+    view.show(frame);
+    view.set_vertex_systems(systems);
+    view.render();
+    const double drawn = view.legend_box().top - view.legend_box().bottom;
+    EXPECT_LE(drawn, 0.5 * height);
+    EXPECT_GE(drawn, 59.0 + 3.0 * 22.0) << "the drug's scale and three systems";
+}
+
+// As two recordings beside each other leave it.
+TEST(LegendPicture, InANarrowPictureNothingRunsTogetherAndNothingIsCut) {
+    OsmesaContext context{300, 420};
+    SceneView view(context.window());
+    view.set_words([](const std::string& english) {
+        return english == "Drug arrival (s)" ? std::string("Ankunft des Wirkstoffs (s), lang")
+               : english.starts_with("now")  ? std::string("jetzt 24")
+                                             : english;
+    });
+    view.set_caption("A recording with a long name, 26 Nov 2026, 03:40");
+    Frame frame = fake_frame(0.1);
+    frame.drug.arrival_s =
+        std::make_shared<const std::vector<float>>(frame.positions_mm.size() / 3, 1.0f);
+    frame.drug.end_s = 100.0;
+    frame.drug.time_s = 24.0;
+    view.show(frame);
+    view.render();
+    const PictureBox box = view.legend_box();
+    EXPECT_GE(box.left, 0.0);
+    EXPECT_LE(box.right, 300.0);
+    EXPECT_LE(box.top, 420.0 - 22.0) << "the name stands above it";
+    EXPECT_TRUE(view.shows_caption());
+}
+
 }  // namespace
 }  // namespace hepatica
