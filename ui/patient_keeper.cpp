@@ -141,6 +141,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         workspace_.open(*loaded, request.reconstruct.series);
         if (!loaded->folder.empty()) workspace_.set_digest(digest);
         workspace_.set_recovered(Recovery::case_of(loaded->kept_copy));
+        if (request.unsaved_copy) workspace_.set_digest(Recovery::digest_of(loaded->kept_copy));
         // Before the edits there is nothing of him worth keeping, so they come first.
         if (request.left_edits) {
             workspace_.take_up(*request.left_edits);

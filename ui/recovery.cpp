@@ -375,6 +375,12 @@ fs::path Recovery::case_of(const fs::path& left) {
     return noted && is_case(noted->base.copy_of) ? noted->base.copy_of : fs::path();
 }
 
+std::string Recovery::digest_of(const fs::path& left) {
+    if (left.empty()) return {};
+    const std::optional<Journalled> noted = read_edit_journal(journal_of(left));
+    return noted ? noted->base.digest : std::string();
+}
+
 UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     UnsavedWork work;
     const bool is_journal = left.filename() == journal_name;

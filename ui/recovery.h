@@ -50,6 +50,8 @@ class Recovery {
 
     // The case on disk whose unsaved work such a copy holds; empty: none, or it is gone.
     static std::filesystem::path case_of(const std::filesystem::path& left);
+    // Its digest_of_case() as it was then; empty: not known.
+    static std::string digest_of(const std::filesystem::path& left);
 
     // Nothing is being written or waiting to be.
     bool resting() const { return !job_ && !wanted_.patient; }

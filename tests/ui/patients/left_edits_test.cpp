@@ -169,6 +169,7 @@ TEST_F(Journal, GivesWayToACopyThatHoldsAsMuch) {
 TEST_F(Journal, TellsWhoseUnsavedWorkACopyHolds) {
     auto program = this->program();
     workspace_.open(from_disk());
+    workspace_.set_digest("as it was opened");
     add(1, *program);
     show_body();
     program->follow(workspace_);
@@ -182,6 +183,7 @@ TEST_F(Journal, TellsWhoseUnsavedWorkACopyHolds) {
             return Recovery::case_of(copy) == case_;
         },
         recovery_patience_ms));
+    EXPECT_EQ(Recovery::digest_of(copy), "as it was opened");
 
     OpenRequest request;
     request.reconstruct.ct = copy;
